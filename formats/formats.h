@@ -1,0 +1,50 @@
+#pragma once
+// Files in, files out. Readers never throw for bad input: they return findings. Writers write to a temporary file and rename it;
+// they throw BadInput("file.cannot-create") and leave nothing behind.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "garment/cut_sheet.h"
+#include "garment/fabric.h"
+#include "garment/mannequin.h"
+#include "garment/mesh.h"
+#include "garment/pattern.h"
+#include "garment/report.h"
+
+namespace toile {
+
+struct PatternReadOptions {
+  std::optional<double> unit_in_metres;              // overrides what the file says: 1e-3 for mm
+  std::optional<std::filesystem::path> seams;        // default: NAME.seams.toml beside the pattern, when it exists
+};
+
+// By extension and content: DXF (AAMA), GarmentCode JSON.
+Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options = {});
+
+// A body: OBJ in metres, with NAME.skeleton.json (or `skeleton`) when there is one.
+Loaded<Mannequin> read_body(const std::filesystem::path& file, const std::optional<std::filesystem::path>& skeleton = {});
+
+// templates/fabrics/*.toml
+Loaded<Fabric> read_fabric(const std::filesystem::path& file);
+
+// One row of a size chart, templates/mannequins/*.csv
+Loaded<SizeChartRow> read_size_chart_row(const std::filesystem::path& file, const std::string& size);
+
+// AAMA DXF (R12): blocks of cut pieces, mm.
+void write_dxf_aama(const std::filesystem::path& file, const CutSheet& sheet);
+// Seams sidecar for a pattern written as DXF.
+void write_seams(const std::filesystem::path& file, const Pattern& pattern);
+// Cut sheet in mm.
+void write_svg(const std::filesystem::path& file, const CutSheet& sheet);
+// A drape: v in metres, vt = rest shape in metres, one group per panel.
+void write_obj(const std::filesystem::path& file, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions);
+void write_obj(const std::filesystem::path& file, const Mannequin& mannequin);
+
+// Writes `bytes` to a temporary file beside `file`, then renames it. Every writer ends here.
+void write_whole_file(const std::filesystem::path& file, const std::string& bytes);
+// The file's bytes; error "file.missing" or "file.unreadable".
+Loaded<std::string> read_whole_file(const std::filesystem::path& file);
+
+}  // namespace toile

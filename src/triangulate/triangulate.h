@@ -1,0 +1,24 @@
+#pragma once
+// Pieces to triangles (constrained Delaunay with refinement, CGAL).
+
+#include "garment/mesh.h"
+#include "garment/pattern.h"
+
+namespace toile {
+
+struct TriangulateOptions {
+  double edge_length = 15e-3;         // m, aimed for along outlines and inside
+  double smallest_angle = 20;         // degrees; refinement is sure to end below 20.7
+};
+
+// One mesh per copy of every piece, copies of a piece alike. Guarantees:
+//  1. Mating spans of a seam have the same number of vertices at the same fractions, also when their lengths differ.
+//  2. Every turn point is a vertex; no vertex is added on the outline by the refinement.
+//  3. Triangles are counter-clockwise and not degenerate.
+// Throws BadInput ("pattern.self-crossing", "seam.unknown-edge", ...) naming the piece.
+std::vector<PanelMesh> triangulate(const Pattern& pattern, const TriangulateOptions& options = {});
+
+// Welds the panels along the pattern's seams. Throws BadInput("seam.not-manifold") naming the seam.
+GarmentMesh sew(const Pattern& pattern, std::vector<PanelMesh> panels);
+
+}  // namespace toile
