@@ -22,6 +22,7 @@ struct Edge {
   std::string id;                        // unique in its piece: "hem", "side_left"; readers number unnamed ones "e0", "e1", ...
   std::vector<OutlinePoint> points;      // at least two, in outline order
   std::optional<double> seam_allowance;  // m; absent: the cut sheet's default
+  bool hem = false;                      // turned up, not sewn to another edge: takes the cut sheet's hem allowance
   bool operator==(const Edge&) const = default;
 };
 
