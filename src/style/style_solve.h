@@ -1,0 +1,44 @@
+#pragma once
+// The garment shape that keeps the source's style while hard constraints hold: iterated quadratic minimisation of the style
+// energy.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "style/hard_constraints.h"
+#include "style/soft_terms.h"
+#include "style/source_shape.h"
+
+namespace toile {
+
+struct StyleOptions {
+  double in_plane_pull = 0.02;  // beta: how much of the initial guess's in-plane map is kept in every iteration
+  double least_stretch = 0.5;   // in-plane maps are clamped to these, or to what the initial guess itself needs
+  double most_stretch = 2;
+  double tolerance = 1e-4;    // m, largest move in one iteration
+  int most_iterations = 30;   // before the first look at the body
+  int round_iterations = 10;  // after every further one
+  int most_rounds = 6;
+};
+
+// Soft terms for a shape; asked again in every round, because skin slides under a moving garment.
+using SoftTermsAt = std::function<std::vector<SoftTerm>(const Eigen::Matrix3Xd& x, int round)>;
+
+struct StyleSolution {
+  Eigen::Matrix3Xd positions;
+  Eigen::Matrix3Xd initial;    // the harmonic displacement it started from
+  std::vector<SoftTerm> soft;  // as of the last round
+  int iterations = 0;
+  int rounds = 0;
+  bool settled = false;  // the last iteration and the last round moved nothing by more than the tolerance
+};
+
+// Starts from the harmonic displacement (least sum A |grad(x - source)|^2 under the same constraints): the energy has a large
+// null space, so what is not penalised is as smooth as the start. `source` is 3 x n; every connected part must be constrained,
+// or std::invalid_argument is thrown.
+StyleSolution solve_style(const Eigen::Matrix3Xd& source, const std::vector<SourceTriangle>& triangles,
+                          const HardConstraints& constraints, const SoftTermsAt& soft_terms = {},
+                          const StyleOptions& options = {});
+
+}  // namespace toile
