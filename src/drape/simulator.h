@@ -21,11 +21,11 @@ struct DrapeProgress {
 };
 
 struct DrapeRequest {
-  const GarmentMesh& garment;          // its rest shapes are X
-  const Eigen::Matrix3Xd& start;       // x^g: one column per garment vertex; friction holds where it touches
+  const GarmentMesh& garment;     // its rest shapes are X
+  const Eigen::Matrix3Xd& start;  // x^g: one column per garment vertex; friction holds where it touches
   const Body& body;
   const Fabric& fabric;
-  double tolerance = 1e-3;             // on |unbalanced force| / |weight|
+  double tolerance = 1e-3;                // on |unbalanced force| / |weight|
   std::optional<double> time_limit = {};  // s; then the best state so far, not settled
   std::function<void(const DrapeProgress&)> progress = {};
 };

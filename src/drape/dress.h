@@ -1,0 +1,33 @@
+#pragma once
+// The first drape: flat panels placed around the body and sewn by shrinking stitches, ready to be settled by a simulator.
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+#include "body/body.h"
+#include "garment/mesh.h"
+#include "garment/pattern.h"
+#include "garment/report.h"
+
+namespace toile {
+
+struct DressOptions {
+  int shrinking_steps = 150;  // over which every stitch shortens to nothing
+  int holding_steps = 60;     // with the stitches closed
+  int sweeps = 10;            // of the constraints per step
+  double body_offset = 1e-3;  // m, kept from the body: more would add to the wearer's girth
+  double closed_gap = 2e-3;   // m; a wider seam did not come together
+  std::function<void(int step, int steps)> progress = {};
+};
+
+struct Dressed {
+  Eigen::Matrix3Xd positions;  // by garment vertex, seams welded
+  double seam_gap = 0;         // m, widest seam just before it was welded
+  Report report;               // errors: "drape.seam-open" naming the panels, "drape.not-around-body"
+};
+
+// Position-based sewing (Mueller et al. 2007) without weight or friction. Deterministic.
+Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& body, const DressOptions& options = {});
+
+}  // namespace toile

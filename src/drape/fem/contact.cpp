@@ -1,0 +1,51 @@
+#include "drape/fem/contact.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace toile::fem {
+namespace {
+
+double depth(const ContactLaw& law, double distance) { return distance < law.reach ? (law.reach - distance) / law.reach : 0.0; }
+
+Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d moved = x - state.anchor;
+  return moved - state.normal.dot(moved) * state.normal;
+}
+
+}  // namespace
+
+double normal_energy(const ContactLaw& law, double area, double distance) {
+  const double u = depth(law, distance);
+  return area * law.pressure * law.reach / 3 * u * u * u;
+}
+
+double normal_force(const ContactLaw& law, double area, double distance) {
+  const double u = depth(law, distance);
+  return area * law.pressure * u * u;
+}
+
+double normal_stiffness(const ContactLaw& law, double area, double distance) {
+  return 2 * area * law.pressure / law.reach * depth(law, distance);
+}
+
+double friction_energy(const ContactLaw& law, const FrictionState& state, const Eigen::Vector3d& x) {
+  if (state.force <= 0) return 0;
+  return law.friction * state.force * (std::sqrt(slide(state, x).squaredNorm() + law.slip * law.slip) - law.slip);
+}
+
+Eigen::Vector3d friction_gradient(const ContactLaw& law, const FrictionState& state, const Eigen::Vector3d& x) {
+  if (state.force <= 0) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d u = slide(state, x);
+  return law.friction * state.force / std::sqrt(u.squaredNorm() + law.slip * law.slip) * u;
+}
+
+Eigen::Matrix3d friction_hessian(const ContactLaw& law, const FrictionState& state, const Eigen::Vector3d& x) {
+  if (state.force <= 0) return Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d u = slide(state, x);
+  const double r = std::sqrt(u.squaredNorm() + law.slip * law.slip);
+  const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - state.normal * state.normal.transpose();
+  return law.friction * state.force / r * (tangent - u * u.transpose() / (r * r));
+}
+
+}  // namespace toile::fem

@@ -1,0 +1,34 @@
+#pragma once
+// Cloth against body: a C2 normal pressure that acts within `reach` of the body's surface, and Coulomb friction anchored where
+// the cloth started. Energies are per garment vertex; `area` is its rest area.
+
+#include <Eigen/Core>
+
+#include "body/distance_field.h"
+
+namespace toile::fem {
+
+struct ContactLaw {
+  double pressure = 1500;  // Pa, at the body's surface; quadratic from zero at `reach`
+  double reach = 1e-3;     // m
+  double slip = 0.2e-3;    // m, over which friction builds up; far below it the cloth sticks
+  double friction = 0.4;   // Coulomb coefficient
+};
+
+// Normal contact at distance d: energy area * p0 * reach / 3 * ((reach - d) / reach)^3 for d < reach.
+double normal_energy(const ContactLaw&, double area, double distance);
+double normal_force(const ContactLaw&, double area, double distance);      // N, >= 0
+double normal_stiffness(const ContactLaw&, double area, double distance);  // N/m, >= 0
+
+// Friction of one vertex while its normal force and normal are held fixed (lagged): potential
+// friction * force * (sqrt(|u|^2 + slip^2) - slip), u = tangential part of x - anchor.
+struct FrictionState {
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
+  double force = 0;  // N, lagged
+};
+double friction_energy(const ContactLaw&, const FrictionState&, const Eigen::Vector3d& x);
+Eigen::Vector3d friction_gradient(const ContactLaw&, const FrictionState&, const Eigen::Vector3d& x);
+Eigen::Matrix3d friction_hessian(const ContactLaw&, const FrictionState&, const Eigen::Vector3d& x);  // PSD
+
+}  // namespace toile::fem

@@ -1,0 +1,145 @@
+#include "drape/fem/model.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace toile::fem {
+namespace {
+
+Eigen::Matrix3d corners(const MembraneElement& element, const Eigen::Matrix3Xd& x) {
+  Eigen::Matrix3d c;
+  for (int i = 0; i < 3; ++i) c.col(i) = x.col(element.vertex[static_cast<std::size_t>(i)]);
+  return c;
+}
+
+}  // namespace
+
+Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body) {
+  Model model;
+  model.law = membrane_law(fabric);
+  model.contact.friction = fabric.friction;
+  model.area = vertex_areas(garment);
+  model.mass = fabric.area_density * model.area;
+  model.body = &body;
+  model.hinges = bending_hinges(garment, fabric);
+  const auto shapes = rest_triangles(garment);
+  std::size_t t = 0;
+  for (const PanelMesh& panel : garment.panels)
+    for (Eigen::Index i = 0; i < panel.triangles.cols(); ++i, ++t) {
+      const auto g = garment.triangles.col(static_cast<Eigen::Index>(t));
+      model.triangles.push_back(membrane_element({g(0), g(1), g(2)}, shapes[t], panel.warp));
+    }
+  return model;
+}
+
+Friction start_friction(const Model& model, const Eigen::Matrix3Xd& start) {
+  Friction friction;
+  friction.vertex.resize(static_cast<std::size_t>(start.cols()));
+  friction.touched.assign(static_cast<std::size_t>(start.cols()), 0);
+  update_friction(model, start, 1, friction);
+  return friction;
+}
+
+double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Friction& friction) {
+  double rest = 0;
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    FrictionState& state = friction.vertex[i];
+    const double distance = model.body->distance.distance(x.col(v));
+    const double force = normal_force(model.contact, model.area(v), distance);
+    if (force <= 0 && state.force <= 0) {
+      friction.touched[i] = 0;
+      continue;
+    }
+    const DistanceSample sample = model.body->distance.sample(x.col(v));
+    if (!friction.touched[i]) {
+      state.anchor = x.col(v);
+      friction.touched[i] = 1;
+    }
+    state.normal = sample.gradient.normalized();
+    state.force += share * (force - state.force);
+    if (force <= 0 && state.force < 1e-9) state.force = 0;
+    rest = std::max(rest, std::abs(force - state.force));
+  }
+  return rest;
+}
+
+double energy(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x) {
+  double sum = 0;
+  for (const MembraneElement& element : model.triangles) sum += membrane_energy(element, model.law, corners(element, x));
+  for (const Hinge& hinge : model.hinges) sum += hinge.stiffness / 2 * hinge_vector(hinge, x).squaredNorm();
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    sum -= gravity * model.mass(v) * model.weight_direction.dot(x.col(v));
+    const double distance = model.body->distance.distance(x.col(v));
+    if (distance < model.contact.reach) sum += normal_energy(model.contact, model.area(v), distance);
+    sum += friction_energy(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+  }
+  return sum;
+}
+
+Eigen::Matrix3Xd gradient(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x) {
+  Eigen::Matrix3Xd g(3, x.cols());
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    g.col(v) = -gravity * model.mass(v) * model.weight_direction;
+    const double distance = model.body->distance.distance(x.col(v));
+    if (distance < model.contact.reach)
+      g.col(v) -= normal_force(model.contact, model.area(v), distance) * model.body->distance.sample(x.col(v)).gradient;
+    g.col(v) += friction_gradient(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+  }
+  for (const MembraneElement& element : model.triangles) {
+    Vector9 local = Vector9::Zero();
+    membrane_derivatives(element, model.law, corners(element, x), Curvature::full, local, nullptr);
+    for (std::size_t i = 0; i < 3; ++i) g.col(element.vertex[i]) += local.segment<3>(static_cast<Eigen::Index>(3 * i));
+  }
+  for (const Hinge& hinge : model.hinges) {
+    const Eigen::Vector3d pull = hinge.stiffness * hinge_vector(hinge, x);
+    for (std::size_t i = 0; i < 4; ++i) g.col(hinge.vertex[i]) += hinge.weight[i] * pull;
+  }
+  return g;
+}
+
+std::unique_ptr<HessianAssembly> make_assembly(const Model& model) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const MembraneElement& e : model.triangles)
+    for (std::size_t i = 0; i < 3; ++i) pairs.emplace_back(e.vertex[i], e.vertex[(i + 1) % 3]);
+  for (const Hinge& h : model.hinges)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(h.vertex[i], h.vertex[j]);
+  std::unique_ptr<HessianAssembly> assembly(
+      new HessianAssembly{BlockMatrix(static_cast<int>(model.mass.size()), std::move(pairs)), {}});
+  for (const Hinge& h : model.hinges)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        assembly->matrix.add(h.vertex[i], h.vertex[j], h.stiffness * h.weight[i] * h.weight[j] * Eigen::Matrix3d::Identity());
+  assembly->constant = assembly->matrix.values();
+  return assembly;
+}
+
+void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, Curvature curvature,
+              HessianAssembly& assembly) {
+  BlockMatrix& matrix = assembly.matrix;
+  matrix.set_values(assembly.constant);
+  for (const MembraneElement& element : model.triangles) {
+    Vector9 ignored = Vector9::Zero();
+    Matrix9 local = Matrix9::Zero();
+    membrane_derivatives(element, model.law, corners(element, x), curvature, ignored, &local);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        matrix.add(element.vertex[i], element.vertex[j],
+                   local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
+  }
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    Eigen::Matrix3d block = friction_hessian(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+    const double distance = model.body->distance.distance(x.col(v));
+    if (distance < model.contact.reach) {
+      const DistanceSample sample = model.body->distance.sample(x.col(v));
+      block += normal_stiffness(model.contact, model.area(v), distance) * sample.gradient * sample.gradient.transpose();
+      if (curvature == Curvature::full) block -= normal_force(model.contact, model.area(v), distance) * sample.hessian;
+    }
+    matrix.add(static_cast<int>(v), static_cast<int>(v), block);
+  }
+}
+
+double weight(const Model& model) { return gravity * model.mass.norm(); }
+
+}  // namespace toile::fem

@@ -1,0 +1,69 @@
+#include "drape/fem/newton.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace toile::fem {
+namespace {
+
+// Largest fraction of `step`, halving, that lowers the energy enough (Armijo); zero when none does.
+double line_search(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& step,
+                   double slope) {
+  const double before = energy(model, friction, x);
+  double fraction = 1;
+  for (int halvings = 0; halvings < 25; ++halvings, fraction /= 2)
+    if (energy(model, friction, x + fraction * step) <= before + 1e-4 * fraction * slope) return fraction;
+  return 0;
+}
+
+double true_residual(const Model& model, Friction friction, const Eigen::Matrix3Xd& x) {
+  update_friction(model, x, 1, friction);
+  return gradient(model, friction, x).norm() / weight(model);
+}
+
+}  // namespace
+
+Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, const NewtonOptions& options) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto out_of_time = [&] {
+    return options.time_limit &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > *options.time_limit;
+  };
+  const std::unique_ptr<HessianAssembly> assembly = make_assembly(model);
+  Friction friction = start_friction(model, start);
+  Equilibrium best{start, true_residual(model, friction, start), 0, false};
+  Eigen::Matrix3Xd x = start;
+  double dt = options.first_dt;
+  for (int step = 1; step <= options.most_steps && best.residual > options.tolerance && !out_of_time(); ++step) {
+    const Eigen::Matrix3Xd g = gradient(model, friction, x);
+    const auto factorised = [&](Curvature curvature) {
+      assemble(model, friction, x, curvature, *assembly);
+      for (Eigen::Index v = 0; v < model.mass.size(); ++v)
+        assembly->matrix.add_diagonal(static_cast<int>(v), model.mass(v) / (dt * dt));
+      return assembly->matrix.factorise();
+    };
+    if (!factorised(options.curvature) && !factorised(Curvature::clamped)) {
+      dt /= 4;
+      continue;
+    }
+    Eigen::Matrix3Xd move = -assembly->matrix.solve(g);
+    const double longest = move.colwise().norm().maxCoeff();
+    if (longest > options.step_cap) move *= options.step_cap / longest;
+    const double fraction = line_search(model, friction, x, move, g.cwiseProduct(move).sum());
+    x += fraction * move;
+    dt = fraction > 0.2 ? std::min(dt * options.growth, options.most_dt) : std::max(dt / 2, 1e-3);
+    update_friction(model, x, options.force_share, friction);
+    const double residual = true_residual(model, friction, x);
+    if (options.progress) options.progress(step, residual);
+    best.steps = step;
+    if (residual < best.residual) {
+      best.x = x;
+      best.residual = residual;
+    }
+  }
+  best.settled = best.residual <= options.tolerance;
+  return best;
+}
+
+}  // namespace toile::fem

@@ -1,0 +1,26 @@
+
+#include "drape/fem/fem.h"
+#include "drape/simulator.h"
+#include "garment/report.h"
+
+namespace toile {
+
+const std::vector<Simulator>& simulators() {
+  static const std::vector<Simulator> list{
+      {"fem", "quasi-static finite elements: orthotropic membrane, bending, contact, start-anchored friction", fem::drape},
+      {"fem-projected", "the same energy by projected Newton: slower, the reference for fem", fem::drape_projected},
+  };
+  return list;
+}
+
+const Simulator& find_simulator(const std::string& name) {
+  std::string names;
+  for (const Simulator& simulator : simulators()) {
+    if (simulator.name == name) return simulator;
+    names += (names.empty() ? "" : ", ") + simulator.name;
+  }
+  throw BadInput(
+      {"simulator.unknown", Severity::error, "simulator '" + name + "'", "there is no such simulator", "Use one of: " + names});
+}
+
+}  // namespace toile
