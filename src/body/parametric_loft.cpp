@@ -1,0 +1,151 @@
+#include "body/parametric_loft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace toile {
+namespace {
+
+constexpr int samples = 600;
+
+// Fritsch and Carlson's monotone slopes in Butland's weighted harmonic form, one-sided at the ends.
+std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::size_t n = x.size();
+  std::vector<double> chord(n - 1), slope(n);
+  for (std::size_t i = 0; i + 1 < n; ++i) chord[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+  if (n == 2) return {chord[0], chord[0]};
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    if (chord[i - 1] * chord[i] <= 0) continue;
+    const double before = x[i] - x[i - 1], after = x[i + 1] - x[i];
+    const double w0 = 2 * after + before, w1 = after + 2 * before;
+    slope[i] = (w0 + w1) / (w0 / chord[i - 1] + w1 / chord[i]);
+  }
+  const auto end_slope = [](double h0, double h1, double c0, double c1) {
+    const double s = ((2 * h0 + h1) * c0 - h0 * c1) / (h0 + h1);
+    if (s * c0 <= 0) return 0.0;
+    return c0 * c1 <= 0 && std::abs(s) > 3 * std::abs(c0) ? 3 * c0 : s;
+  };
+  slope[0] = end_slope(x[1] - x[0], x[2] - x[1], chord[0], chord[1]);
+  slope[n - 1] = end_slope(x[n - 1] - x[n - 2], x[n - 2] - x[n - 3], chord[n - 2], chord[n - 3]);
+  return slope;
+}
+
+double hermite(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& slope, double at) {
+  const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, at);
+  const auto i = static_cast<std::size_t>(above - x.begin()) - 1;
+  const double h = x[i + 1] - x[i], t = (at - x[i]) / h, r = 1 - t;
+  return (1 + 2 * t) * r * r * y[i] + t * r * r * h * slope[i] + t * t * (3 - 2 * t) * y[i + 1] - t * t * r * h * slope[i + 1];
+}
+
+}  // namespace
+
+double section_girth(const Section& s) {
+  constexpr int steps = 256;  // per quarter
+  double sum = 0;
+  for (const auto& [reach, exponent] : {std::pair{s.front, s.front_exponent}, std::pair{s.back, s.back_exponent}}) {
+    double x0 = s.half_width, z0 = 0;
+    for (int i = 1; i <= steps; ++i) {
+      const double t = std::numbers::pi / 2 * i / steps;
+      const double x1 = i == steps ? 0 : s.half_width * std::pow(std::cos(t), 2 / exponent);
+      const double z1 = reach * std::pow(std::sin(t), 2 / exponent);
+      sum += 2 * std::hypot(x1 - x0, z1 - z0);
+      x0 = x1, z0 = z1;
+    }
+  }
+  return sum;
+}
+
+Section scaled(const Section& section, double factor) {
+  Section result = section;
+  result.half_width *= factor, result.front *= factor, result.back *= factor;
+  result.centre_v += (1 - factor) * (section.front - section.back) / 2;
+  return result;
+}
+
+Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap)
+    : frame_(frame), first_cap_(first_cap), last_cap_(last_cap) {
+  if (knots.size() < 2) throw std::invalid_argument("a loft needs at least two knots");
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (!(knots[i].at > knots[i - 1].at)) throw std::invalid_argument("loft knots must ascend");
+  begin_ = knots.front().at, end_ = knots.back().at;
+  step_ = (end_ - begin_) / (samples - 1);
+  rows_.resize(samples);
+  std::vector<double> x, y(knots.size());
+  for (const LoftKnot& knot : knots) x.push_back(knot.at);
+  for (int channel = 0; channel < channels; ++channel) {
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      const Section& s = knots[i].section;
+      y[i] = std::array{s.centre_u, s.centre_v, s.half_width, s.front, s.back, s.front_exponent,
+                        s.back_exponent}[static_cast<std::size_t>(channel)];
+    }
+    const std::vector<double> slope = monotone_slopes(x, y);
+    for (int i = 0; i < samples; ++i)
+      rows_[static_cast<std::size_t>(i)](channel) = hermite(x, y, slope, std::min(begin_ + i * step_, end_));
+  }
+}
+
+Loft::Row Loft::row(double at, Row* slope) const {
+  const double place = std::clamp((at - begin_) / step_, 0.0, samples - 1.0);
+  const auto i = static_cast<std::size_t>(std::min(place, samples - 1.5));
+  const Row change = rows_[i + 1] - rows_[i];
+  if (slope) *slope = at < begin_ || at > end_ ? Row(Row::Zero()) : Row(change / step_);
+  return rows_[i] + (place - static_cast<double>(i)) * change;
+}
+
+Section Loft::section(double at) const {
+  const Row r = row(at, nullptr);
+  return {r(0), r(1), r(2), r(3), r(4), r(5), r(6)};
+}
+
+Eigen::Vector3d Loft::centre(double at) const {
+  const Section s = section(at);
+  return frame_.origin + s.centre_u * frame_.u + s.centre_v * frame_.v + at * frame_.along;
+}
+
+double Loft::distance(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d offset = point - frame_.origin;
+  const double t = frame_.along.dot(offset);
+  Row slope;
+  const Row r = row(t, &slope);
+  const double du = frame_.u.dot(offset) - r(0), dv = frame_.v.dot(offset) - r(1);
+  const int side = dv >= 0 ? 3 : 4;
+  const double a = r(2), b = r(side), n = r(side + 2);
+  const double u = std::abs(du) / a, v = std::abs(dv) / b;
+  double gauge = 0, by_u = 0, by_v = 0;  // (u^n + v^n)^(1/n) and its derivatives
+  if (n == 2) {
+    gauge = std::hypot(u, v);
+    if (gauge > 1e-9) by_u = u / gauge, by_v = v / gauge;
+  } else if (const double largest = std::max(u, v); largest > 1e-9) {
+    const double ratio = std::pow(std::min(u, v) / largest, n);
+    gauge = largest * std::pow(1 + ratio, 1 / n);
+    const double share = 1 / (1 + ratio);  // of the larger one in gauge^n
+    const double by_large = gauge * share / largest;
+    const double by_small = std::min(u, v) > 1e-9 ? gauge * (1 - share) / std::min(u, v) : 0;
+    by_u = u >= v ? by_large : by_small, by_v = u >= v ? by_small : by_large;
+  }
+  const double by_t =
+      by_u / a * ((du >= 0 ? -slope(0) : slope(0)) - u * slope(2)) + by_v / b * ((dv >= 0 ? -slope(1) : slope(1)) - v * slope(side));
+  double in_plane = std::hypot(by_u / a, by_v / b), along = by_t;
+  double cap = 0, by_cap = 0;
+  if (first_cap_ > 0 && t < begin_ + first_cap_) cap = (begin_ + first_cap_ - t) / first_cap_, by_cap = -1 / first_cap_;
+  if (last_cap_ > 0 && t > end_ - last_cap_) cap = (t - end_ + last_cap_) / last_cap_, by_cap = 1 / last_cap_;
+  if (cap > 0) {
+    const double whole = std::hypot(gauge, cap);
+    in_plane *= gauge / whole;
+    along = (gauge * along + cap * by_cap) / whole;
+    gauge = whole;
+  }
+  const double steepness = std::hypot(in_plane, along);
+  return steepness > 1e-9 ? (gauge - 1) / steepness : -std::min(a, b);
+}
+
+double smooth_min(double a, double b, double blend) {
+  const double overlap = std::max(blend - std::abs(a - b), 0.0) / blend;
+  return std::min(a, b) - overlap * overlap * blend / 4;
+}
+
+double smooth_max(double a, double b, double blend) { return -smooth_min(-a, -b, blend); }
+
+}  // namespace toile
