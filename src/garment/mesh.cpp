@@ -1,5 +1,6 @@
 #include "garment/mesh.h"
 
+#include <Eigen/LU>
 #include <stdexcept>
 
 namespace toile {
