@@ -18,7 +18,9 @@ struct SurfaceDistance {
   Eigen::VectorXd a_vertices;  // m, distance of each vertex of `a` to surface `b`
 };
 
-// Samples at most `spacing` apart on every triangle (corners, edges and inside), nearest point by an AABB tree.
+// Samples at most `spacing` apart on every triangle (corners, edges and inside), nearest point by an AABB tree. The maxima are
+// those of the samples: never above the true ones, and below them by less than spacing / sqrt(3). Throws std::invalid_argument
+// when a surface has no area or positions that are not finite.
 SurfaceDistance surface_distance(const Surface& a, const Surface& b, double spacing = 5e-3);
 
 }  // namespace toile
