@@ -2,6 +2,7 @@
 // A mannequin made ready for draping and editing.
 
 #include "body/distance_field.h"
+#include "body/triangle_tree.h"
 #include "garment/mannequin.h"
 #include "garment/report.h"
 
@@ -10,6 +11,7 @@ namespace toile {
 struct Body {
   Mannequin form;
   DistanceField distance;
+  TriangleTree skin;
 };
 
 // Throws BadInput ("body.not-closed", "body.not-finite", "body.not-in-metres", ...) naming the body and the remedy.

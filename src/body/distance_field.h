@@ -12,7 +12,9 @@ struct DistanceSample {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-// Immutable and cheap to copy. C2 within `band` of the surface; beyond it the value is a coarse, still monotone distance.
+// Immutable and cheap to copy. C2 within `band` of the surface and a little beyond; farther off, inside the grid, the value is
+// interpolated from exact distances four cells apart; outside the grid it is an upper bound that grows outwards. Where parts of
+// the surface overlap the union is the body. Queries may run in several threads.
 class DistanceField {
  public:
   DistanceField() = default;
