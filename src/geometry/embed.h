@@ -3,9 +3,8 @@
 // triangles that no longer agree on their shared edges, with mating seam edges kept at an intended length ratio.
 
 #include <Eigen/Core>
-#include <vector>
-
 #include <memory>
+#include <vector>
 
 namespace toile {
 
@@ -24,7 +23,8 @@ struct MatingEdges {
 };
 
 struct EmbedOptions {
-  double seam_weight = 10;  // against the mean cotangent weight of a triangle edge
+  double seam_weight =
+      10;  // against the mean cotangent weight of a triangle edge, at 500 triangles a panel; scaled with resolution
   int most_iterations = 60;
   double tolerance = 1e-7;  // m, largest move of a vertex in one iteration
 };
@@ -33,20 +33,27 @@ struct Embedding {
   std::vector<Eigen::Matrix2Xd> panels;
   double mean_distortion = 0;      // area-weighted mean of |s1 - 1| + |s2 - 1| over 2
   std::vector<double> distortion;  // by triangle, panels in order
+  int inverted = 0;                // triangles that came out with the other orientation
   int iterations = 0;
 };
 
-// Factors once, embeds often. Every result is aligned to `start` panel by panel (best rotation and shift), so grain stays put.
+// Factors once, embeds often. Guarantees:
+//  1. Triangles that agree on their shared edges (and meet the mating ratios) come back exactly.
+//  2. Every panel is turned so that its mean rotation against `start`, weighted by area, is zero, so grain stays put, and
+//     shifted so that its centroid is where it was.
+//  3. A mating pair is drawn towards its ratio, never towards equal lengths; the sum of both lengths stays free.
 class Embedder {
  public:
-  // `reference[i]`: rest shape columns [b - a, c - a] of the i-th triangle, used for the fixed cotangent weights.
+  // `reference[i]`: rest shape columns [b - a, c - a] of the i-th triangle, used for the fixed cotangent weights. Throws
+  // std::invalid_argument when a count differs, an index is out of range or a reference triangle is not counter-clockwise.
   Embedder(std::vector<FlatMesh> panels, std::vector<MatingEdges> mating, const std::vector<Eigen::Matrix2d>& reference,
            EmbedOptions options = {});
   ~Embedder();
   Embedder(Embedder&&) noexcept;
   Embedder& operator=(Embedder&&) noexcept;
 
-  // `shapes[i]`: wanted shape of triangle i, as [b - a, c - a] up to a rotation.
+  // `shapes[i]`: wanted shape of triangle i, as [b - a, c - a] up to a rotation. `start`: positions by panel, whose triangles
+  // are not turned by more than half a turn against the result.
   Embedding embed(const std::vector<Eigen::Matrix2d>& shapes, const std::vector<Eigen::Matrix2Xd>& start) const;
 
  private:
