@@ -39,6 +39,7 @@ struct CutSheet {
   double page_width = 0, page_length = 0;
   std::vector<PlacedPiece> placed;
   std::vector<std::string> notes;  // certificate lines printed on the sheet
+  std::vector<Seam> seams;         // of the pattern, so that every sewn edge can be told what it is sewn to
   bool operator==(const CutSheet&) const = default;
 };
 
