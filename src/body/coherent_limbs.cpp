@@ -1,0 +1,168 @@
+#include "body/coherent_limbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "body/landmarks.h"
+#include "geometry/topology.h"
+
+namespace toile {
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+constexpr double disagreement = .02;                         // m
+constexpr double widest_gap = 150 * std::numbers::pi / 180;  // an open front or a slit still surrounds
+
+std::vector<std::pair<int, int>> edges_of(const Eigen::Matrix3Xi& triangles) {
+  std::vector<std::pair<int, int>> edges;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    for (Eigen::Index c = 0; c < 3; ++c) edges.emplace_back(std::minmax({triangles(c, t), triangles((c + 1) % 3, t)}));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::vector<int> agreed(const Eigen::MatrixXd& cost, const std::vector<std::pair<int, int>>& edges) {
+  const auto vertices = static_cast<std::size_t>(cost.cols());
+  std::vector<std::vector<int>> beside(vertices);
+  for (const auto& [a, b] : edges) {
+    beside[static_cast<std::size_t>(a)].push_back(b);
+    beside[static_cast<std::size_t>(b)].push_back(a);
+  }
+  std::vector<int> limb(vertices);
+  const auto best = [&](std::size_t v, bool listen) {
+    Eigen::VectorXd total = cost.col(static_cast<Eigen::Index>(v));
+    if (listen && !beside[v].empty())
+      for (const int other : beside[v]) {
+        const double vote = disagreement / static_cast<double>(beside[v].size());
+        total.array() += vote;
+        total[limb[static_cast<std::size_t>(other)]] -= vote;
+      }
+    Eigen::Index found = 0;
+    total.minCoeff(&found);
+    return static_cast<int>(found);
+  };
+  for (std::size_t v = 0; v < vertices; ++v) limb[v] = best(v, false);
+  for (int round = 0; round < 20; ++round) {
+    bool changed = false;
+    for (std::size_t v = 0; v < vertices; ++v)
+      if (const int now = best(v, true); now != limb[v]) {
+        limb[v] = now;
+        changed = true;
+      }
+    if (!changed) break;
+  }
+  return limb;
+}
+
+// Where the axis passes height y.
+std::optional<Vec> passing(const LimbAxis& axis, double y) {
+  for (std::size_t i = 1; i < axis.points.size(); ++i) {
+    const Vec &a = axis.points[i - 1], &b = axis.points[i];
+    if ((a[1] - y) * (b[1] - y) <= 0 && a[1] != b[1]) return a + (a[1] - y) / (a[1] - b[1]) * (b - a);
+  }
+  return std::nullopt;
+}
+
+bool surrounds(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, const Vec& centre) {
+  std::vector<double> angles;
+  for (const int v : ring) angles.push_back(std::atan2(positions(0, v) - centre[0], positions(2, v) - centre[2]));
+  std::sort(angles.begin(), angles.end());
+  double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) gap = std::max(gap, angles[i] - angles[i - 1]);
+  return gap < widest_gap;
+}
+
+// Thickness of a slice in which every ring holds together.
+double slice_thickness(const Eigen::Matrix3Xd& positions, const std::vector<std::pair<int, int>>& edges) {
+  std::vector<double> rise;
+  for (const auto& [a, b] : edges) rise.push_back(std::abs(positions(1, a) - positions(1, b)));
+  std::sort(rise.begin(), rise.end());
+  return std::max(2.2 * rise[rise.size() * 95 / 100], 1e-3);
+}
+
+class Rings {
+ public:
+  Rings(const Mannequin& form, const std::vector<LimbAxis>& axes) : axes_(axes) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes[i].name == "trunk") trunk_ = static_cast<int>(i);
+      if (axes[i].name.rfind("leg.", 0) == 0) legs_.push_back(static_cast<int>(i));
+      if (axes[i].name.rfind("arm.", 0) == 0) arms_.push_back(static_cast<int>(i));
+    }
+    const auto [low, high] = upright_extent(form);
+    const auto level = [&](const char* name, double share) {
+      const auto found = form.landmarks.find(name);
+      return found != form.landmarks.end() ? found->second : low + share * (high - low);
+    };
+    armpit_ = level("armpit", .755);
+    crotch_ = level("crotch", .45);
+  }
+
+  bool applies() const { return trunk_ >= 0 && !legs_.empty(); }
+  double top() const { return armpit_; }
+
+  // The limb that a ring at height y surrounds, -1 when it surrounds none.
+  int surrounded(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, double y) const {
+    const auto within = [&](int limb) {
+      const auto centre = passing(axes_[static_cast<std::size_t>(limb)], y);
+      return centre && surrounds(ring, positions, *centre);
+    };
+    if (y > crotch_ && within(trunk_)) return trunk_;
+    int found = -1, legs = 0;
+    if (y <= crotch_)
+      for (const int leg : legs_)
+        if (within(leg)) {
+          found = leg;
+          ++legs;
+        }
+    if (legs > 1) return trunk_;
+    for (const int arm : arms_)
+      if (within(arm)) found = found < 0 ? arm : trunk_;
+    return found;
+  }
+
+ private:
+  const std::vector<LimbAxis>& axes_;
+  int trunk_ = -1;
+  std::vector<int> legs_, arms_;
+  double armpit_ = 0, crotch_ = 0;
+};
+
+void follow_rings(const Rings& rings, const Eigen::Matrix3Xd& positions, const std::vector<std::pair<int, int>>& edges,
+                  std::vector<int>& limb) {
+  const double thickness = slice_thickness(positions, edges);
+  const auto slice_of = [&](int v) { return static_cast<int>(std::floor((rings.top() - positions(1, v)) / thickness)); };
+  // Edges within a slice make its rings; `components` wants triangles, so an edge is given as a flat one.
+  std::vector<std::pair<int, int>> kept;
+  for (const auto& edge : edges)
+    if (slice_of(edge.first) == slice_of(edge.second)) kept.push_back(edge);
+  Eigen::Matrix3Xi strands(3, static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t e = 0; e < kept.size(); ++e)
+    strands.col(static_cast<Eigen::Index>(e)) << kept[e].first, kept[e].second, kept[e].second;
+  const std::vector<int> part = components(strands, static_cast<int>(positions.cols()));
+  std::map<int, std::vector<int>> by_part;
+  for (int v = 0; v < static_cast<int>(positions.cols()); ++v)
+    if (positions(1, v) < rings.top()) by_part[part[static_cast<std::size_t>(v)]].push_back(v);
+  for (const auto& [unused, ring] : by_part) {
+    const double y = rings.top() - (slice_of(ring.front()) + .5) * thickness;
+    if (const int found = rings.surrounded(ring, positions, y); found >= 0)
+      for (const int v : ring) limb[static_cast<std::size_t>(v)] = found;
+  }
+}
+
+}  // namespace
+
+std::vector<int> coherent_limbs(const Mannequin& form, const std::vector<LimbAxis>& axes, const Eigen::MatrixXd& cost,
+                                const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles) {
+  const std::vector<std::pair<int, int>> edges = edges_of(triangles);
+  std::vector<int> limb = agreed(cost, edges);
+  if (const Rings rings(form, axes); rings.applies() && !edges.empty()) follow_rings(rings, positions, edges, limb);
+  return limb;
+}
+
+}  // namespace toile
