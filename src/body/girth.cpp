@@ -1,5 +1,6 @@
 #include "body/girth.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,12 +46,14 @@ double perimeter(const Loop2& loop) {
 
 // Andrew's monotone chain.
 Loop2 hull(Loop2 points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
   Loop2 chain;
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t start = chain.size();
     for (const Eigen::Vector2d& p : points) {
-      while (chain.size() >= start + 2 && cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0) chain.pop_back();
+      while (chain.size() >= start + 2 && cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0)
+        chain.pop_back();
       chain.push_back(p);
     }
     chain.pop_back();
@@ -69,7 +72,8 @@ double signed_distance(const Loop2& loop, const Eigen::Vector2d& at) {
     const double squared = along.squaredNorm();
     const double t = squared > 0 ? std::clamp((at - a).dot(along) / squared, 0.0, 1.0) : 0;
     nearest = std::min(nearest, (at - a - t * along).norm());
-    if ((a.y() > at.y()) != (b.y() > at.y()) && at.x() < a.x() + (at.y() - a.y()) / (b.y() - a.y()) * along.x()) inside = !inside;
+    if ((a.y() > at.y()) != (b.y() > at.y()) && at.x() < a.x() + (at.y() - a.y()) / (b.y() - a.y()) * along.x())
+      inside = !inside;
   }
   return inside ? -nearest : nearest;
 }
@@ -86,7 +90,8 @@ SectionLoop on_side(const SectionLoop& loop, double side) {
 }
 
 bool crosses_midplane(const SectionLoop& loop) {
-  const auto [least, most] = std::minmax_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  const auto [least, most] =
+      std::minmax_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
   return least->x() < 0 && most->x() > 0;
 }
 

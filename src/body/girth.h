@@ -26,8 +26,9 @@ double loop_girth(const SectionLoop& loop, const Eigen::Vector3d& normal, GirthK
 double trunk_girth(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles, double height_y,
                    GirthKind kind = GirthKind::tape);
 
-// Girth of the limb round `at`, in the plane with normal `along`: of the loop that encloses `at`, else of the one nearest to it.
-// Loops that also cross the midplane (thighs that touch) are measured on `at`'s side of it only. 0 when the plane meets nothing.
+// Girth of the limb round `at`, in the plane with normal `along`: of the loop that encloses `at`, else of the one nearest to
+// it. Loops that also cross the midplane (thighs that touch) are measured on `at`'s side of it only. 0 when the plane meets
+// nothing.
 double limb_girth(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles, const Eigen::Vector3d& at,
                   const Eigen::Vector3d& along, GirthKind kind = GirthKind::tape);
 

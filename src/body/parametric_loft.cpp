@@ -1,6 +1,7 @@
 #include "body/parametric_loft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -77,8 +78,8 @@ Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double fi
   for (int channel = 0; channel < channels; ++channel) {
     for (std::size_t i = 0; i < knots.size(); ++i) {
       const Section& s = knots[i].section;
-      y[i] = std::array{s.centre_u, s.centre_v, s.half_width, s.front, s.back, s.front_exponent,
-                        s.back_exponent}[static_cast<std::size_t>(channel)];
+      y[i] = std::array{s.centre_u, s.centre_v, s.half_width, s.front, s.back, s.front_exponent, s.back_exponent}
+          [static_cast<std::size_t>(channel)];
     }
     const std::vector<double> slope = monotone_slopes(x, y);
     for (int i = 0; i < samples; ++i)
@@ -125,8 +126,8 @@ double Loft::distance(const Eigen::Vector3d& point) const {
     const double by_small = std::min(u, v) > 1e-9 ? gauge * (1 - share) / std::min(u, v) : 0;
     by_u = u >= v ? by_large : by_small, by_v = u >= v ? by_small : by_large;
   }
-  const double by_t =
-      by_u / a * ((du >= 0 ? -slope(0) : slope(0)) - u * slope(2)) + by_v / b * ((dv >= 0 ? -slope(1) : slope(1)) - v * slope(side));
+  const double by_t = by_u / a * ((du >= 0 ? -slope(0) : slope(0)) - u * slope(2)) +
+                      by_v / b * ((dv >= 0 ? -slope(1) : slope(1)) - v * slope(side));
   double in_plane = std::hypot(by_u / a, by_v / b), along = by_t;
   double cap = 0, by_cap = 0;
   if (first_cap_ > 0 && t < begin_ + first_cap_) cap = (begin_ + first_cap_ - t) / first_cap_, by_cap = -1 / first_cap_;

@@ -1,0 +1,73 @@
+#include "body/parametric.h"
+
+#include <stdexcept>
+
+#include "body/girth.h"
+#include "body/parametric_fit.h"
+#include "body/parametric_polygonise.h"
+
+namespace toile {
+namespace {
+
+Eigen::Vector3d mirrored(const Eigen::Vector3d& p) { return {-p.x(), p.y(), p.z()}; }
+
+std::vector<Bone> skeleton(const Figure& f) {
+  const double tall = f.height;
+  const Eigen::Vector3d pelvis(0, f.hip_joint.y() + .0077 * tall, -.037 * tall);
+  const Eigen::Vector3d spine(0, f.hip_joint.y() + .0068 * tall, .0142 * tall);
+  const Eigen::Vector3d low(0, spine.y() + .45 * (f.levels.at("ribs") - spine.y()) + .012 * tall, -.0002 * tall);
+  const Eigen::Vector3d middle(0, f.levels.at("ribs") - .0043 * tall, .0072 * tall);
+  std::vector<Bone> bones = {{"pelvis", "", pelvis, spine},
+                             {"spine_low", "pelvis", spine, low},
+                             {"spine_mid", "spine_low", low, middle},
+                             {"chest", "spine_mid", middle, f.neck_base},
+                             {"neck", "chest", f.neck_base, f.head_joint},
+                             {"head", "neck", f.head_joint, {0, tall, f.head_joint.z()}}};
+  const Eigen::Vector3d clavicle(.0138 * tall, f.shoulder.y() + .0047 * tall, f.shoulder.z());
+  const Eigen::Vector3d hand = f.wrist + .54 * (f.fingertip - f.wrist);
+  const Eigen::Vector3d foot = f.ankle + .3 * (f.toe - f.ankle);
+  const std::vector<Bone> left = {{"clavicle", "chest", clavicle, f.shoulder},
+                                  {"upperarm", "clavicle", f.shoulder, f.elbow},
+                                  {"forearm", "upperarm", f.elbow, f.wrist},
+                                  {"hand", "forearm", f.wrist, hand},
+                                  {"thigh", "pelvis", f.hip_joint, f.knee},
+                                  {"shin", "thigh", f.knee, f.ankle},
+                                  {"foot", "shin", f.ankle, foot}};
+  const auto sided = [](const std::string& name, const char* side) {
+    return name == "chest" || name == "pelvis" ? name : name + side;
+  };
+  for (const Bone& bone : left) bones.push_back({bone.name + ".L", sided(bone.parent, ".L"), bone.from, bone.to});
+  for (const Bone& bone : left)
+    bones.push_back({bone.name + ".R", sided(bone.parent, ".R"), mirrored(bone.from), mirrored(bone.to)});
+  return bones;
+}
+
+}  // namespace
+
+Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& options) {
+  if (!(options.edge_length > 2e-3 && options.edge_length < .06))
+    throw std::invalid_argument("edge length of a mannequin must be between 2 and 60 mm");
+  const Figure figure = complete_figure(row);
+  const BodyForm form(figure, fitted_scales(figure));
+  Surface surface = polygonise(form, figure, options.edge_length);
+
+  Mannequin mannequin;
+  mannequin.name = row.chart + " " + row.size;
+  mannequin.positions = std::move(surface.positions);
+  mannequin.triangles = std::move(surface.triangles);
+  mannequin.bones = skeleton(figure);
+  mannequin.height = row.height;
+  mannequin.landmarks = figure.levels;
+  mannequin.landmarks["height"] = row.height;
+  for (const auto& [name, place] : tape_places(figure))
+    mannequin.measures[name] = place.trunk ? trunk_girth(mannequin.positions, mannequin.triangles, place.at.y())
+                                           : limb_girth(mannequin.positions, mannequin.triangles, place.at, place.along);
+  mannequin.measures["height"] = row.height;
+  mannequin.measures["inside_leg"] = figure.levels.at("crotch");
+  mannequin.measures["nape_to_waist"] = figure.levels.at("nape") - figure.levels.at("waist");
+  mannequin.measures["upper_arm_length"] = (figure.elbow - figure.shoulder).norm();
+  mannequin.measures["forearm_length"] = (figure.wrist - figure.elbow).norm();
+  return mannequin;
+}
+
+}  // namespace toile

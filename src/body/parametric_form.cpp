@@ -1,0 +1,264 @@
+#include "body/parametric_form.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+constexpr double cm = .01;
+constexpr double leg_blend = .025, head_blend = .02, foot_blend = .02, floor_blend = .006, breast_blend = .05;
+constexpr double gap_between_thighs = .0098;  // half of it; wider than leg_blend / 4, so that thighs never grow together
+
+double scale_of(const FormScales& scales, const std::string& name) {
+  const auto found = scales.sections.find(name);
+  return found == scales.sections.end() ? 1.0 : found->second;
+}
+
+Section section_of(const Figure& figure, const FormScales& scales, const std::string& name) {
+  return scaled(figure.sections.at(name), scale_of(scales, name));
+}
+
+double front_of(const Section& s) { return s.centre_v + s.front; }
+double back_of(const Section& s) { return s.centre_v - s.back; }
+
+Section between(double front, double back, double half_width, double exponent) {
+  const double depth = (front - back) / 2;
+  return {0, (front + back) / 2, half_width, depth, depth, exponent, exponent};
+}
+
+Loft trunk_loft(const Figure& figure, const FormScales& scales) {
+  const auto& y = figure.levels;
+  std::vector<LoftKnot> knots;
+  const auto at_level = [&](const char* name) { knots.push_back({y.at(name), section_of(figure, scales, name)}); };
+  // Below the waist the legs carry hips and seat; the trunk fills the middle and stays behind them.
+  const Section hip = section_of(figure, scales, "hip");
+  Section core = between(front_of(hip) - .06 * (hip.front + hip.back), back_of(hip) + .17 * (hip.front + hip.back),
+                         .93 * hip.half_width, 2.3);
+  Section floor = between(front_of(hip) - .12 * (hip.front + hip.back), back_of(hip) + .22 * (hip.front + hip.back),
+                          .62 * hip.half_width, 2);
+  knots.push_back({y.at("crotch") - scales.crotch_drop, floor});
+  knots.push_back({y.at("hip"), core});
+  Section seat = section_of(figure, scales, "seat");
+  seat.centre_v += .035 * (seat.front + seat.back), seat.back -= .07 * (seat.front + seat.back);
+  knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), seat});
+  for (const char* name : {"high_hip", "waist", "ribs", "underbust", "bust"}) at_level(name);
+
+  // Above the bust: women 38, cm, fitted to shoulders, depth of chest and neck.
+  struct Row {
+    double y, half_width, centre, front, back, exponent, neck;  // neck: 1 where the neck rules the width
+  };
+  static constexpr Row upper[] = {
+      {127.7, 15.2, 3.0, 9.6, 8.7, 2.3, 0},  {133.0, 15.8, 2.2, 8.4, 8.1, 2.4, 0},  {137.0, 16.0, 1.6, 6.6, 6.6, 2.2, 0},
+      {139.5, 14.5, 1.2, 5.4, 5.4, 2.0, .1}, {141.2, 10.0, 1.0, 5.0, 5.0, 2.0, .5}, {142.5, 7.2, 1.4, 5.2, 5.0, 2.0, .9},
+      {144.0, 6.15, 2.1, 5.2, 5.2, 2.0, 1},  {148.3, 5.3, 3.3, 5.4, 5.4, 2.0, 1},   {155.0, 5.3, 4.0, 5.4, 5.4, 2.0, 1}};
+  const double tall = figure.height / 1.68, neck = figure.neck_factor * scale_of(scales, "neck");
+  for (const Row& row : upper) {
+    const double wide = figure.shoulder_factor + row.neck * (neck - figure.shoulder_factor);
+    const double fade = std::clamp((row.y - 127.7) / (139.5 - 127.7), 0.0, 1.0);
+    const double chest = 1 + (1 - fade) * (figure.depth_factor - 1) + fade * .5 * (figure.depth_factor - 1);
+    const double deep = chest + row.neck * (neck - chest);
+    Section s{0,
+              row.centre * cm * tall,
+              row.half_width * cm * tall * wide,
+              row.front * cm * tall,
+              row.back * cm * tall,
+              row.exponent,
+              row.exponent};
+    s.centre_v += (1 - deep) * (s.front - s.back) / 2;
+    s.front *= deep, s.back *= deep;
+    knots.push_back({row.y * cm * tall, s});
+  }
+  return Loft({}, knots, .8 * (y.at("hip") - y.at("crotch")) + scales.crotch_drop, .04 * tall);
+}
+
+Loft head_loft(const Figure& figure) {
+  // Fractions of the head's height from the chin; half width, front and back against the head joint, in heads.
+  struct Row {
+    double up, half_width, front, back, exponent;
+  };
+  static constexpr Row rows[] = {{.00, .14, .44, .05, 2},   {.10, .22, .46, -.10, 2},  {.25, .29, .46, -.30, 2},
+                                 {.42, .325, .47, -.42, 2}, {.60, .345, .45, -.48, 2}, {.78, .335, .41, -.46, 2},
+                                 {1.0, .27, .32, -.36, 2}};
+  const double chin = .872 * figure.height, tall = figure.height - chin;
+  const double head = .122 * figure.height;  // grows with stature only
+  std::vector<LoftKnot> knots;
+  for (const Row& row : rows) {
+    Section s = between(figure.head_joint.z() + row.front * head, figure.head_joint.z() + row.back * head,
+                        row.half_width * head, row.exponent);
+    knots.push_back({chin + row.up * tall, s});
+  }
+  return Loft({}, knots, .08 * tall, .42 * tall);
+}
+
+Loft leg_loft(const Figure& figure, const FormScales& scales) {
+  const auto& y = figure.levels;
+  const double tall = figure.height;
+  std::vector<LoftKnot> knots;
+  const auto at_level = [&](const char* name, double x, double z) {
+    Section s = section_of(figure, scales, name);
+    s.centre_u = std::max(x * tall, s.half_width + gap_between_thighs), s.centre_v = z * tall;
+    knots.push_back({y.at(name), s});
+  };
+  const bool f = figure.female;
+  Section ankle = section_of(figure, scales, "ankle");
+  ankle.centre_u = figure.ankle.x(), ankle.centre_v = figure.ankle.z() - .004 * tall;
+  knots.push_back({.030 * tall, ankle});
+  at_level("ankle", f ? .0871 : .1029, f ? .0156 : .0039);
+  at_level("low_calf", f ? .0863 : .0958, f ? .0109 : .0001);
+  at_level("calf", f ? .0836 : .0916, f ? .0114 : -.0019);
+  at_level("below_knee", f ? .0804 : .0893, f ? .0145 : .0013);
+  at_level("knee", f ? .0713 : .0803, f ? .0305 : .0095);
+  at_level("above_knee", f ? .0650 : .0739, f ? .0336 : .0178);
+  at_level("mid_thigh", f ? .0617 : .0687, f ? .0343 : .0186);
+  const double drop = .02;
+  Section thigh = section_of(figure, scales, "thigh");
+  thigh.centre_u = thigh.half_width + gap_between_thighs, thigh.centre_v = (f ? .0267 : .0141) * tall;
+  knots.push_back({y.at("crotch") - drop, thigh});
+  const Section hip = section_of(figure, scales, "hip"), seat = section_of(figure, scales, "seat");
+  Section upper = between(front_of(hip) - .01 * (hip.front + hip.back), back_of(hip), .485 * hip.half_width, 2.15);
+  upper.centre_u = hip.half_width - upper.half_width;
+  knots.push_back({y.at("hip"), upper});
+  Section top = between(front_of(seat) - .10 * (seat.front + seat.back), back_of(seat), .45 * seat.half_width, 2);
+  top.centre_u = .50 * seat.half_width;
+  knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), top});
+  top = between(front_of(seat) - .2 * (seat.front + seat.back), back_of(seat) + .01, .42 * seat.half_width, 2);
+  top.centre_u = .48 * seat.half_width;
+  knots.push_back({y.at("high_hip"), top});
+  return Loft({}, knots, 0, y.at("high_hip") - std::max(y.at("seat"), y.at("hip") + .012));
+}
+
+Loft arm_loft(const Figure& figure, const FormScales& scales) {
+  const Eigen::Vector3d chord = figure.wrist - figure.shoulder;
+  LoftFrame frame;
+  frame.origin = figure.shoulder;
+  frame.along = chord.normalized();
+  frame.v = (Eigen::Vector3d::UnitZ() - frame.along.z() * frame.along).normalized();
+  frame.u = frame.v.cross(frame.along);
+  if (frame.u.y() < 0) frame.u = -frame.u;
+  std::vector<LoftKnot> knots;
+  const auto place = [&](const Eigen::Vector3d& centre, Section s) {
+    const Eigen::Vector3d offset = centre - frame.origin;
+    s.centre_u = frame.u.dot(offset), s.centre_v = frame.v.dot(offset);
+    knots.push_back({frame.along.dot(offset), s});
+  };
+  const auto on = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t, const char* name) {
+    place(a + t * (b - a), section_of(figure, scales, name));
+  };
+  const double tall = figure.height;
+  Section root = section_of(figure, scales, "upper_arm_root");
+  place(figure.shoulder - .035 * frame.along, scaled(root, 1.02));
+  place(figure.shoulder + .006 * tall * frame.along, scaled(root, 1.08));
+  on(figure.shoulder, figure.elbow, .30, "upper_arm_root");
+  on(figure.shoulder, figure.elbow, .55, "upper_arm");
+  on(figure.shoulder, figure.elbow, .85, "above_elbow");
+  place(figure.elbow, section_of(figure, scales, "elbow"));
+  on(figure.elbow, figure.wrist, .25, "forearm");
+  on(figure.elbow, figure.wrist, .60, "low_forearm");
+  on(figure.elbow, figure.wrist, .95, "wrist");
+  const double hand = (figure.fingertip - figure.wrist).norm();
+  const auto palm = [&](double t, double half_thick, double half_wide) {
+    Section s{0, 0, half_thick * hand, half_wide * hand, half_wide * hand, 2.3, 2.3};
+    place(figure.wrist + t * (figure.fingertip - figure.wrist), s);
+  };
+  palm(.22, .098, .205);
+  palm(.42, .088, .235);
+  palm(.62, .072, .215);
+  palm(1.0, .050, .150);
+  return Loft(frame, knots, .045, .18 * hand);
+}
+
+Loft foot_loft(const Figure& figure) {
+  LoftFrame frame;
+  const double length = .152 * figure.height;
+  frame.origin = {figure.ankle.x(), 0, figure.ankle.z()};
+  frame.along = Eigen::Vector3d(.13, 0, 1).normalized();
+  frame.v = Eigen::Vector3d::UnitY();
+  frame.u = frame.v.cross(frame.along);
+  struct Row {
+    double at, aside, half_width, top;  // in foot lengths
+  };
+  static constexpr Row rows[] = {{-.235, 0, .10, .19},    {-.10, 0, .125, .27},    {.08, .0, .135, .30},
+                                 {.24, .004, .16, .235},  {.44, .008, .185, .165}, {.60, .006, .18, .125},
+                                 {.765, -.005, .13, .085}};
+  std::vector<LoftKnot> knots;
+  for (const Row& row : rows) {
+    const double centre = .08 * length;
+    knots.push_back({row.at * length,
+                     {row.aside * length, centre, row.half_width * length, std::max(row.top * length - centre, .03 * length),
+                      centre + .03 * length, 2.2, 3}});
+  }
+  return Loft(frame, knots, .07 * length, .12 * length);
+}
+
+std::vector<Ellipsoid> breasts(const Figure& figure, const FormScales& scales, const Loft& trunk) {
+  if (!figure.female) return {};
+  const double y = figure.levels.at("bust");
+  const double size = std::cbrt(figure.girths.at("bust") / .88 * figure.girths.at("bust") / .88 * figure.height / 1.68);
+  const double radius = .056 * size;
+  const double x = figure.bust_point_distance / 2 - .0075 * size;
+  const Section cage = trunk.section(y);
+  const double u = std::min(x / cage.half_width, .9);
+  const double skin = cage.centre_v + cage.front * std::pow(1 - std::pow(u, cage.front_exponent), 1 / cage.front_exponent);
+  return {{{x, y - .003 * size, skin - .015 * size + scales.bust_forward}, {1.15 * radius, radius, radius}}};
+}
+
+}  // namespace
+
+double Ellipsoid::distance(const Eigen::Vector3d& at) const {
+  const Eigen::Vector3d scaled_offset = (at - centre).cwiseQuotient(half_axes);
+  const double gauge = scaled_offset.norm();
+  if (gauge < 1e-9) return -half_axes.minCoeff();
+  return (gauge - 1) * gauge / scaled_offset.cwiseQuotient(half_axes).norm();
+}
+
+BodyForm::BodyForm(const Figure& figure, const FormScales& scales)
+    : trunk_(trunk_loft(figure, scales)),
+      head_(head_loft(figure)),
+      leg_(leg_loft(figure, scales)),
+      arm_(arm_loft(figure, scales)),
+      foot_(foot_loft(figure)),
+      breasts_(breasts(figure, scales, trunk_)) {}
+
+double BodyForm::distance(const Eigen::Vector3d& at) const {
+  const Eigen::Vector3d left(std::abs(at.x()), at.y(), at.z());
+  double d = trunk_.distance(left);
+  for (const Ellipsoid& breast : breasts_) {
+    const double own = breast.distance(left);
+    d = smooth_min(d, smooth_min(own, breast.distance({-left.x(), left.y(), left.z()}), .02), breast_blend);
+  }
+  if (at.y() > trunk_.end() - .12 || at.y() > head_.begin() - .06) d = smooth_min(d, head_.distance(left), head_blend);
+  if (at.y() < leg_.end() + .05) {
+    double leg = leg_.distance(left);
+    if (left.x() < .05) leg = smooth_min(leg, leg_.distance({-left.x(), left.y(), left.z()}), leg_blend);
+    if (at.y() < .25) leg = smooth_max(smooth_min(leg, foot_.distance(left), foot_blend), -at.y(), floor_blend);
+    d = smooth_min(d, leg, leg_blend);
+  }
+  return smooth_min(d, arm_.distance(left), arm_blend_);
+}
+
+Eigen::Vector3d BodyForm::gradient(const Eigen::Vector3d& at) const {
+  constexpr double h = 2e-4;
+  Eigen::Vector3d g;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(k);
+    g(k) = (distance(at + step) - distance(at - step)) / (2 * h);
+  }
+  return g;
+}
+
+Eigen::Vector3d BodyForm::projected(Eigen::Vector3d at, int steps) const {
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Vector3d g = gradient(at);
+    const double d = distance(at), squared = g.squaredNorm();
+    if (squared < 1e-12) break;
+    Eigen::Vector3d move = -d / squared * g;
+    if (const double far = move.norm(); far > .02) move *= .02 / far;
+    at += move;
+    if (std::abs(d) < 1e-7) break;
+  }
+  return at;
+}
+
+}  // namespace toile
