@@ -18,7 +18,7 @@ namespace toile {
 // A parameter describes itself; flags, recipe checks and help come from this table.
 struct Parameter {
   std::string name;
-  std::string unit;      // "m" (given with its unit), "" (a number), "loop" (a name)
+  std::string unit;  // "m" (given with its unit), "" (a number), "loop" (a name)
   std::string meaning;
   std::optional<double> least, most;
   std::optional<std::string> by_default;  // as it would be written in a recipe; absent: must be given

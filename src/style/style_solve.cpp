@@ -17,21 +17,20 @@ double largest_move(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
 
 }  // namespace
 
-StyleSolution solve_style(const Eigen::Matrix3Xd& source, const std::vector<SourceTriangle>& triangles,
+StyleSolution solve_style(const Eigen::Matrix3Xd& guess, const std::vector<SourceTriangle>& triangles,
                           const HardConstraints& constraints, const SoftTermsAt& soft_terms, const StyleOptions& options) {
   StyleSolution solution;
-  StyleSystem system(triangles, constraints, source.cols());
+  StyleSystem system(triangles, constraints, guess.cols());
   const auto terms_at = [&](const Eigen::Matrix3Xd& x, int round) {
     return soft_terms ? soft_terms(x, round) : std::vector<SoftTerm>{};
   };
-  solution.soft = terms_at(source, 0);
+  solution.soft = terms_at(guess, 0);
   system.factor(solution.soft);
-  std::vector<Eigen::Matrix2d> maps(triangles.size(), Eigen::Matrix2d::Identity());
-  solution.initial = system.solve(maps);
+  solution.initial = system.solve_near(guess);
   solution.positions = solution.initial;
 
   // The constraints themselves may need more stretch than the clamp allows; it must not fight them.
-  std::vector<Eigen::Matrix2d> first(triangles.size(), Eigen::Matrix2d::Identity());
+  std::vector<Eigen::Matrix2d> maps(triangles.size(), Eigen::Matrix2d::Identity()), first = maps;
   std::vector<MapBounds> bounds(triangles.size(), {options.least_stretch, options.most_stretch});
   for (const std::size_t t : system.moving()) {
     first[t] = plane_map_of(triangles[t], solution.initial);

@@ -27,7 +27,7 @@ using SoftTermsAt = std::function<std::vector<SoftTerm>(const Eigen::Matrix3Xd& 
 
 struct StyleSolution {
   Eigen::Matrix3Xd positions;
-  Eigen::Matrix3Xd initial;    // the harmonic displacement it started from
+  Eigen::Matrix3Xd initial;    // the harmonic correction of the guess, where it started
   std::vector<SoftTerm> soft;  // as of the last round
   int iterations = 0;
   int rounds = 0;

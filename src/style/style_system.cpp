@@ -70,11 +70,12 @@ void StyleSystem::factor(std::vector<SoftTerm> soft) {
     throw std::invalid_argument("StyleSystem: part of the garment is not constrained");
 }
 
-Eigen::Matrix3Xd StyleSystem::solve(const std::vector<Eigen::Matrix2d>& maps) const {
+template <class MapOf>
+Eigen::Matrix3Xd StyleSystem::solve_for(const MapOf& wanted_map) const {
   Eigen::Matrix3Xd pull = -fixed_pull_;
   for (const std::size_t t : moving_) {
     const SourceTriangle& triangle = triangles_[t];
-    const Eigen::Matrix<double, 3, 2> wanted = triangle.area * triangle.plane * maps[t];
+    const Eigen::Matrix<double, 3, 2> wanted = triangle.area * wanted_map(t);
     for (int corner = 0; corner < 3; ++corner)
       pull.col(triangle.corners(corner)) += wanted * triangle.gradients.row(corner).transpose();
   }
@@ -90,6 +91,14 @@ Eigen::Matrix3Xd StyleSystem::solve(const std::vector<Eigen::Matrix2d>& maps) co
   for (std::size_t v = 0; v < freedom_.size(); ++v)
     x.col(static_cast<Eigen::Index>(v)) += freedom_[v].free * y.segment(first_[v], freedom_[v].free.cols());
   return x;
+}
+
+Eigen::Matrix3Xd StyleSystem::solve(const std::vector<Eigen::Matrix2d>& maps) const {
+  return solve_for([&](std::size_t t) -> Eigen::Matrix<double, 3, 2> { return triangles_[t].plane * maps[t]; });
+}
+
+Eigen::Matrix3Xd StyleSystem::solve_near(const Eigen::Matrix3Xd& guess) const {
+  return solve_for([&](std::size_t t) { return map_of(triangles_[t], guess); });
 }
 
 }  // namespace toile

@@ -22,12 +22,17 @@ class StyleSystem {
 
   // The minimiser of shape_energy(maps) + soft terms under the constraints. maps[t] is M_t.
   Eigen::Matrix3Xd solve(const std::vector<Eigen::Matrix2d>& maps) const;
+  // The minimiser of sum A |grad(x - guess)|^2 + soft terms under the constraints.
+  Eigen::Matrix3Xd solve_near(const Eigen::Matrix3Xd& guess) const;
 
   // Triangles with a corner that can move, by index.
   const std::vector<std::size_t>& moving() const { return moving_; }
   bool anything_free() const { return freedoms_ > 0; }
 
  private:
+  template <class MapOf>
+  Eigen::Matrix3Xd solve_for(const MapOf& wanted_map) const;
+
   Eigen::Matrix3Xd fixed_;              // the constrained part of every vertex
   std::vector<VertexFreedom> freedom_;  // by vertex
   std::vector<Eigen::Index> first_;     // first unknown of every vertex

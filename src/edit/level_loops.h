@@ -1,0 +1,28 @@
+#pragma once
+// Closed loops of mesh edges near where a field over the vertices takes a value.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "edit/skeleton_chains.h"
+#include "geometry/topology.h"
+
+namespace toile {
+
+// Edges and the three edges of every triangle, made once for many levels.
+struct LevelMesh {
+  const Eigen::Matrix3Xi& triangles;
+  std::vector<MeshEdge> edges;
+  Eigen::Matrix3Xi edge_of;  // [corner][triangle]: the edge from that corner to the next
+};
+LevelMesh level_mesh(const Eigen::Matrix3Xi& triangles);
+
+struct LevelLoops {
+  std::vector<VertexLoop> closed;  // no vertex twice; taking the vertices of all of them away parts above from below
+  int open = 0;                    // lines that end at the garment's boundary
+};
+
+// Every vertex is the nearer end of an edge that the level line crosses, so it is at most half an edge off.
+LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, double level);
+
+}  // namespace toile
