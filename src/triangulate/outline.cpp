@@ -1,0 +1,131 @@
+#include "triangulate/outline.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <string>
+
+#include "garment/report.h"
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+// Ends of consecutive edges further apart than this leave the outline open; nearer is a file's rounding.
+constexpr double closing_tolerance = 1e-5;  // m
+
+Kernel::Point_2 point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
+
+bool folds_back(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return CGAL::orientation(point(a), point(b), point(c)) == CGAL::COLLINEAR && (b - a).dot(c - b) < 0;
+}
+
+std::string in_cm(const Eigen::Vector2d& p) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f) cm", p.x() * cm_per_m, p.y() * cm_per_m);
+  return text;
+}
+
+[[noreturn]] void refuse(const char* code, const Piece& piece, std::string text, std::string remedy) {
+  throw BadInput({code, Severity::error, "piece '" + piece.name + "'", std::move(text), std::move(remedy), Fault::bad_input});
+}
+
+void check_edges(const Piece& piece) {
+  if (piece.outline.empty()) refuse("pattern.no-outline", piece, "it has no outline", "Draw its net line or remove it");
+  for (const Edge& edge : piece.outline) {
+    if (edge.points.size() < 2)
+      refuse("pattern.edge-without-length", piece, "edge '" + edge.id + "' has fewer than two points", "Remove the edge");
+    for (const OutlinePoint& p : edge.points)
+      if (!p.at.allFinite())
+        refuse("pattern.not-finite", piece, "edge '" + edge.id + "' has a coordinate that is not a number",
+               "Export the piece again");
+    if (!(length(edge) > 0))
+      refuse("pattern.edge-without-length", piece, "edge '" + edge.id + "' has no length", "Remove one of its turn points");
+  }
+  for (std::size_t e = 0; e < piece.outline.size(); ++e) {
+    const Edge& edge = piece.outline[e];
+    const Edge& next = piece.outline[(e + 1) % piece.outline.size()];
+    const double gap = (next.points.front().at - edge.points.back().at).norm();
+    if (gap > closing_tolerance)
+      refuse("pattern.open-outline", piece,
+             "edge '" + edge.id + "' ends at " + in_cm(edge.points.back().at) + ", " + in_mm(gap) + " from where edge '" +
+                 next.id + "' starts",
+             "Close the outline");
+  }
+}
+
+}  // namespace
+
+std::optional<Crossing> first_crossing(const std::vector<Eigen::Vector2d>& loop) {
+  const std::size_t n = loop.size();
+  const auto end = [&](std::size_t i) -> const Eigen::Vector2d& { return loop[(i + 1) % n]; };
+  const auto left = [&](std::size_t i) { return std::min(loop[i].x(), end(i).x()); };
+  const auto right = [&](std::size_t i) { return std::max(loop[i].x(), end(i).x()); };
+  std::vector<std::size_t> by_left(n);
+  std::iota(by_left.begin(), by_left.end(), std::size_t{0});
+  std::sort(by_left.begin(), by_left.end(),
+            [&](std::size_t a, std::size_t b) { return std::pair(left(a), a) < std::pair(left(b), b); });
+  std::optional<Crossing> found;
+  const auto report = [&](std::size_t a, std::size_t b) {
+    const Crossing crossing{static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b))};
+    if (!found || std::pair(crossing.first, crossing.second) < std::pair(found->first, found->second)) found = crossing;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = by_left[i];
+    for (std::size_t j = i + 1; j < n && left(by_left[j]) <= right(a); ++j) {
+      const std::size_t b = by_left[j];
+      if ((a + 1) % n == b || (b + 1) % n == a) continue;
+      if (std::max(loop[a].y(), end(a).y()) < std::min(loop[b].y(), end(b).y()) ||
+          std::max(loop[b].y(), end(b).y()) < std::min(loop[a].y(), end(a).y()))
+        continue;
+      if (CGAL::do_intersect(Kernel::Segment_2(point(loop[a]), point(end(a))),
+                             Kernel::Segment_2(point(loop[b]), point(end(b)))))
+        report(a, b);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (folds_back(loop[i], end(i), end((i + 1) % n))) report(i, (i + 1) % n);
+  return found;
+}
+
+OutlinePolygon outline_polygon(const Piece& piece) {
+  OutlinePolygon polygon;
+  for (std::size_t e = 0; e < piece.outline.size(); ++e)
+    for (std::size_t i = 0; i + 1 < piece.outline[e].points.size(); ++i) {
+      const OutlinePoint& p = piece.outline[e].points[i];
+      if (i > 0 && p.at == piece.outline[e].points[i - 1].at) continue;
+      if (p.at == piece.outline[e].points[i + 1].at && i + 2 == piece.outline[e].points.size()) continue;
+      polygon.corners.push_back(p.at);
+      polygon.edge.push_back(static_cast<int>(e));
+    }
+  return polygon;
+}
+
+void check_outlines(const Pattern& pattern) {
+  for (const Piece& piece : pattern.pieces) {
+    check_edges(piece);
+    const OutlinePolygon polygon = outline_polygon(piece);
+    if (polygon.corners.size() < 3)
+      refuse("pattern.self-crossing", piece, "the outline encloses nothing", "Draw its net line again");
+    if (const auto crossing = first_crossing(polygon.corners)) {
+      const auto edge = [&](int side) {
+        return piece.outline[static_cast<std::size_t>(polygon.edge[static_cast<std::size_t>(side)])].id;
+      };
+      const Eigen::Vector2d at = polygon.corners[static_cast<std::size_t>(crossing->second)];
+      refuse("pattern.self-crossing", piece,
+             "the outline crosses or touches itself near " + in_cm(at) + ", where edge '" + edge(crossing->first) +
+                 "' meets edge '" + edge(crossing->second) + "'",
+             "Move the points apart so that the outline encloses one area");
+    }
+    if (signed_area(piece) <= 0)
+      refuse("pattern.clockwise-outline", piece, "the outline runs clockwise",
+             "Reverse it: counter-clockwise seen from the right side");
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,113 @@
+#include "triangulate/seam_places.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+// Ends of spans this near on one edge are meant to be the same place.
+constexpr double same_place = 0.5e-3;  // m
+
+std::string span_in_words(const EdgeSpan& span) { return span.piece + ":" + std::to_string(span.copy) + " " + span.edge; }
+
+template <class Items, class Name>
+std::string listed(const Items& items, const Name& name) {
+  std::string list;
+  for (const auto& item : items) list += (list.empty() ? "'" : ", '") + name(item) + "'";
+  return list.empty() ? "none" : list;
+}
+
+SpanPlace place_of(const Pattern& pattern, const Seam& seam, const EdgeSpan& span) {
+  const Piece* piece = find_piece(pattern, span.piece);
+  if (!piece)
+    refuse_seam("seam.unknown-piece", seam, "there is no piece '" + span.piece + "'",
+                "The pattern has " + listed(pattern.pieces, [](const Piece& p) { return p.name; }));
+  const Edge* edge = find_edge(*piece, span.edge);
+  if (!edge)
+    refuse_seam("seam.unknown-edge", seam, "piece '" + span.piece + "' has no edge '" + span.edge + "'",
+                "Its edges are " + listed(piece->outline, [](const Edge& e) { return e.id; }));
+  if (span.copy < 1 || span.copy > copies(*piece))
+    refuse_seam("seam.unknown-copy", seam, "piece '" + span.piece + "' has no copy " + std::to_string(span.copy),
+                "It is cut " + std::to_string(copies(*piece)) + " times; copies count from 1");
+  if (!(std::min(span.begin, span.end) >= -1e-9 && std::max(span.begin, span.end) <= 1 + 1e-9))
+    refuse_seam("seam.span-outside-edge", seam,
+                "the span on edge '" + span.edge + "' of piece '" + span.piece + "' leaves the edge",
+                "Give fractions of its length from 0 to 1");
+  return {static_cast<int>(piece - pattern.pieces.data()), span.copy, static_cast<int>(edge - piece->outline.data()),
+          std::clamp(span.begin, 0.0, 1.0), std::clamp(span.end, 0.0, 1.0)};
+}
+
+// Makes ends that nearly agree agree, edge by edge (all copies of a piece share its outline).
+void snap_ends(const Pattern& pattern, std::vector<SeamPlace>& seams) {
+  std::map<std::pair<int, int>, std::vector<double*>> by_edge;
+  for (SeamPlace& seam : seams)
+    for (SpanPlace* span : {&seam.a, &seam.b})
+      for (double* end : {&span->begin, &span->end}) by_edge[{span->piece, span->edge}].push_back(end);
+  for (auto& [key, ends] : by_edge) {
+    const Edge& edge = pattern.pieces[static_cast<std::size_t>(key.first)].outline[static_cast<std::size_t>(key.second)];
+    const double near = std::min(same_place / length(edge), .25);
+    std::sort(ends.begin(), ends.end(), [](const double* x, const double* y) { return *x < *y; });
+    double chosen = 0;
+    for (double* end : ends) {
+      if (*end - chosen > near) chosen = *end;
+      *end = 1 - *end <= near ? 1 : chosen;
+    }
+  }
+}
+
+void check_spans(const Pattern& pattern, const std::vector<SeamPlace>& seams) {
+  struct Used {
+    int piece, copy, edge;
+    double low, high;
+    std::size_t seam;
+  };
+  std::vector<Used> used;
+  for (std::size_t s = 0; s < seams.size(); ++s)
+    for (const SpanPlace* span : {&seams[s].a, &seams[s].b}) {
+      if (span->begin == span->end)
+        refuse_seam("seam.span-too-short", pattern.seams[s], "one of its spans is shorter than " + in_mm(same_place),
+                    "Give it the part of the edge that is sewn");
+      used.push_back(
+          {span->piece, span->copy, span->edge, std::min(span->begin, span->end), std::max(span->begin, span->end), s});
+    }
+  std::sort(used.begin(), used.end(), [](const Used& x, const Used& y) {
+    return std::tie(x.piece, x.copy, x.edge, x.low, x.high, x.seam) < std::tie(y.piece, y.copy, y.edge, y.low, y.high, y.seam);
+  });
+  for (std::size_t i = 1; i < used.size(); ++i) {
+    const Used& before = used[i - 1];
+    const Used& now = used[i];
+    if (std::tie(before.piece, before.copy, before.edge) != std::tie(now.piece, now.copy, now.edge) || now.low >= before.high)
+      continue;
+    const Piece& piece = pattern.pieces[static_cast<std::size_t>(now.piece)];
+    refuse_seam("seam.overlap", pattern.seams[now.seam],
+                "edge '" + piece.outline[static_cast<std::size_t>(now.edge)].id + "' of piece '" + piece.name + "', copy " +
+                    std::to_string(now.copy) + ", is already sewn there by " + seam_in_words(pattern.seams[before.seam]),
+                "Let the two spans meet end to end");
+  }
+}
+
+}  // namespace
+
+std::string seam_in_words(const Seam& seam) {
+  return (seam.name.empty() ? "seam (" : "seam '" + seam.name + "' (") + span_in_words(seam.a) + " to " +
+         span_in_words(seam.b) + ")";
+}
+
+void refuse_seam(const char* code, const Seam& seam, std::string text, std::string remedy) {
+  throw BadInput({code, Severity::error, seam_in_words(seam), std::move(text), std::move(remedy), Fault::bad_input});
+}
+
+std::vector<SeamPlace> seam_places(const Pattern& pattern) {
+  std::vector<SeamPlace> seams;
+  seams.reserve(pattern.seams.size());
+  for (const Seam& seam : pattern.seams) seams.push_back({place_of(pattern, seam, seam.a), place_of(pattern, seam, seam.b)});
+  snap_ends(pattern, seams);
+  check_spans(pattern, seams);
+  return seams;
+}
+
+}  // namespace toile
