@@ -41,6 +41,8 @@ void write_svg(const std::filesystem::path& file, const CutSheet& sheet);
 // A drape: v in metres, vt = rest shape in metres, one group per panel.
 void write_obj(const std::filesystem::path& file, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions);
 void write_obj(const std::filesystem::path& file, const Mannequin& mannequin);
+// Bones, landmarks and measures of a body: NAME.skeleton.json beside NAME.obj.
+void write_skeleton(const std::filesystem::path& file, const Mannequin& mannequin);
 
 // Writes `bytes` to a temporary file beside `file`, then renames it. Every writer ends here.
 void write_whole_file(const std::filesystem::path& file, const std::string& bytes);
