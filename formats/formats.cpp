@@ -1,0 +1,71 @@
+#include "formats/formats.h"
+
+#include "formats/dxf/tags.h"
+#include "formats/dxf_aama/dxf_aama.h"
+#include "formats/garmentcode/garmentcode.h"
+#include "formats/seams/seams.h"
+
+namespace toile {
+namespace {
+
+// A way to write patterns that Toile reads.
+struct PatternFormat {
+  const char* name;
+  const char* extension;
+  bool (*looks_like)(std::string_view bytes);  // of a file with another extension
+  Loaded<Pattern> (*read)(const std::filesystem::path& file, const PatternReadOptions& options);
+};
+
+bool looks_like_dxf(std::string_view bytes) {
+  return bytes.substr(0, 18) == "AutoCAD Binary DXF" || dxf::read_tags(bytes.substr(0, bytes.find("HEADER")), "").report.ok();
+}
+
+bool looks_like_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+const PatternFormat formats[] = {
+    {"DXF (AAMA, ASTM)", ".dxf", looks_like_dxf,
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_dxf_aama(file, options.unit_in_metres);
+     }},
+    {"GarmentCode JSON", ".json", looks_like_json,
+     [](const std::filesystem::path& file, const PatternReadOptions&) { return read_garmentcode(file); }},
+};
+
+const PatternFormat* format_of(const std::filesystem::path& file, std::string_view bytes) {
+  const std::string extension = file.extension().string();
+  for (const PatternFormat& format : formats)
+    if (dxf::same_word(extension, format.extension)) return &format;
+  for (const PatternFormat& format : formats)
+    if (format.looks_like(bytes)) return &format;
+  return nullptr;
+}
+
+}  // namespace
+
+Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
+  const Loaded<std::string> bytes = read_whole_file(file);
+  if (!bytes.value) return {std::nullopt, bytes.report};
+  const PatternFormat* format = format_of(file, *bytes.value);
+  if (!format) {
+    std::string known;
+    for (const PatternFormat& each : formats)
+      known += std::string(known.empty() ? "" : ", ") + each.name + " (" + each.extension + ")";
+    Report report;
+    report.error("format.unknown", file.filename().string(), "this is no pattern file Toile can read", "it reads " + known);
+    return {std::nullopt, report};
+  }
+  Loaded<Pattern> loaded = format->read(file, options);
+
+  std::filesystem::path sidecar = std::filesystem::path(file).replace_extension(".seams.toml");
+  std::error_code ignored;
+  const bool found = options.seams || std::filesystem::exists(sidecar, ignored);
+  if (!loaded.value || !found) return loaded;
+  loaded.report.append(apply_seams(*loaded.value, options.seams.value_or(sidecar)));
+  if (!loaded.report.ok()) loaded.value.reset();
+  return loaded;
+}
+
+}  // namespace toile
