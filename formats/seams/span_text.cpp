@@ -74,7 +74,7 @@ std::optional<SpanText> parse_span(std::string_view text) {
     }
   }
   span.piece = std::string(trimmed(piece));
-  if (span.piece.empty() || span.edge.empty()) return std::nullopt;
+  if (span.piece.empty() || span.edge.empty() || span.edge.find_first_of("[]") != std::string::npos) return std::nullopt;
   return span;
 }
 
