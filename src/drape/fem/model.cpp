@@ -12,14 +12,26 @@ Eigen::Matrix3d corners(const MembraneElement& element, const Eigen::Matrix3Xd& 
   return c;
 }
 
+// Faces bridge where the body is round: contact is kept at the triangles' centres as well as at the vertices (weights 3/4 and
+// 1/4: exact for quadratic pressure). Calls visit(centre, distance, area, triangle) for centres within reach.
+template <class Visit>
+void for_centres_in_reach(const Model& model, const Eigen::Matrix3Xd& x, const Visit& visit) {
+  for (const MembraneElement& element : model.triangles) {
+    const Eigen::Vector3d centre = (x.col(element.vertex[0]) + x.col(element.vertex[1]) + x.col(element.vertex[2])) / 3;
+    const double distance = model.body->distance.distance(centre);
+    if (distance < model.contact.reach) visit(centre, distance, 0.75 * element.area, element);
+  }
+}
+
 }  // namespace
 
 Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body) {
   Model model;
   model.law = membrane_law(fabric);
   model.contact.friction = fabric.friction;
-  model.area = vertex_areas(garment);
-  model.mass = fabric.area_density * model.area;
+  const Eigen::VectorXd areas = vertex_areas(garment);
+  model.contact_area = areas / 4;
+  model.mass = fabric.area_density * areas;
   model.body = &body;
   model.hinges = bending_hinges(garment, fabric);
   const auto shapes = rest_triangles(garment);
@@ -41,12 +53,17 @@ Friction start_friction(const Model& model, const Eigen::Matrix3Xd& start) {
 }
 
 double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Friction& friction) {
+  Eigen::VectorXd forces(x.cols());
+  for (Eigen::Index v = 0; v < x.cols(); ++v)
+    forces(v) = normal_force(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
+  for_centres_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, double area, const MembraneElement& element) {
+    for (const int v : element.vertex) forces(v) += normal_force(model.contact, area, distance) / 3;
+  });
   double rest = 0;
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     const auto i = static_cast<std::size_t>(v);
     FrictionState& state = friction.vertex[i];
-    const double distance = model.body->distance.distance(x.col(v));
-    const double force = normal_force(model.contact, model.area(v), distance);
+    const double force = forces(v);
     if (force <= 0 && state.force <= 0) {
       friction.touched[i] = 0;
       continue;
@@ -70,22 +87,29 @@ double energy(const Model& model, const Friction& friction, const Eigen::Matrix3
   for (const Hinge& hinge : model.hinges) sum += hinge.stiffness / 2 * hinge_vector(hinge, x).squaredNorm();
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     sum -= gravity * model.mass(v) * model.weight_direction.dot(x.col(v));
-    const double distance = model.body->distance.distance(x.col(v));
-    if (distance < model.contact.reach) sum += normal_energy(model.contact, model.area(v), distance);
+    sum += normal_energy(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
     sum += friction_energy(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
   }
+  for_centres_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, double area, const MembraneElement&) {
+    sum += normal_energy(model.contact, area, distance);
+  });
   return sum;
 }
 
-Eigen::Matrix3Xd gradient(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x) {
+Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x) {
   Eigen::Matrix3Xd g(3, x.cols());
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     g.col(v) = -gravity * model.mass(v) * model.weight_direction;
     const double distance = model.body->distance.distance(x.col(v));
     if (distance < model.contact.reach)
-      g.col(v) -= normal_force(model.contact, model.area(v), distance) * model.body->distance.sample(x.col(v)).gradient;
-    g.col(v) += friction_gradient(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+      g.col(v) -= normal_force(model.contact, model.contact_area(v), distance) * model.body->distance.sample(x.col(v)).gradient;
   }
+  for_centres_in_reach(model, x,
+                       [&](const Eigen::Vector3d& centre, double distance, double area, const MembraneElement& element) {
+                         const Eigen::Vector3d push =
+                             normal_force(model.contact, area, distance) / 3 * model.body->distance.sample(centre).gradient;
+                         for (const int v : element.vertex) g.col(v) -= push;
+                       });
   for (const MembraneElement& element : model.triangles) {
     Vector9 local = Vector9::Zero();
     membrane_derivatives(element, model.law, corners(element, x), Curvature::full, local, nullptr);
@@ -96,6 +120,11 @@ Eigen::Matrix3Xd gradient(const Model& model, const Friction& friction, const Ei
     for (std::size_t i = 0; i < 4; ++i) g.col(hinge.vertex[i]) += hinge.weight[i] * pull;
   }
   return g;
+}
+
+void add_friction(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient) {
+  for (Eigen::Index v = 0; v < x.cols(); ++v)
+    gradient.col(v) += friction_gradient(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
 }
 
 std::unique_ptr<HessianAssembly> make_assembly(const Model& model) {
@@ -128,16 +157,24 @@ void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3
         matrix.add(element.vertex[i], element.vertex[j],
                    local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
   }
+  const auto contact_block = [&](const Eigen::Vector3d& at, double distance, double area) -> Eigen::Matrix3d {
+    const DistanceSample sample = model.body->distance.sample(at);
+    Eigen::Matrix3d block = normal_stiffness(model.contact, area, distance) * sample.gradient * sample.gradient.transpose();
+    if (curvature == Curvature::full) block -= normal_force(model.contact, area, distance) * sample.hessian;
+    return block;
+  };
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     Eigen::Matrix3d block = friction_hessian(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
     const double distance = model.body->distance.distance(x.col(v));
-    if (distance < model.contact.reach) {
-      const DistanceSample sample = model.body->distance.sample(x.col(v));
-      block += normal_stiffness(model.contact, model.area(v), distance) * sample.gradient * sample.gradient.transpose();
-      if (curvature == Curvature::full) block -= normal_force(model.contact, model.area(v), distance) * sample.hessian;
-    }
+    if (distance < model.contact.reach) block += contact_block(x.col(v), distance, model.contact_area(v));
     matrix.add(static_cast<int>(v), static_cast<int>(v), block);
   }
+  for_centres_in_reach(model, x,
+                       [&](const Eigen::Vector3d& centre, double distance, double area, const MembraneElement& element) {
+                         const Eigen::Matrix3d block = contact_block(centre, distance, area) / 9;
+                         for (std::size_t i = 0; i < 3; ++i)
+                           for (std::size_t j = 0; j <= i; ++j) matrix.add(element.vertex[i], element.vertex[j], block);
+                       });
 }
 
 double weight(const Model& model) { return gravity * model.mass.norm(); }

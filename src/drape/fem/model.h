@@ -22,8 +22,8 @@ struct Model {
   ContactLaw contact;
   std::vector<MembraneElement> triangles;
   std::vector<Hinge> hinges;
-  Eigen::VectorXd mass;  // kg by vertex
-  Eigen::VectorXd area;  // m^2 by vertex
+  Eigen::VectorXd mass;          // kg by vertex
+  Eigen::VectorXd contact_area;  // m^2 by vertex: a quarter of its rest area; the rest is at the triangles' centres
   const Body* body = nullptr;
   Eigen::Vector3d weight_direction = -Eigen::Vector3d::UnitY();
 };
@@ -43,8 +43,11 @@ Friction start_friction(const Model& model, const Eigen::Matrix3Xd& start);
 // difference of a force, N.
 double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Friction& friction);
 
-double energy(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x);              // J
-Eigen::Matrix3Xd gradient(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x);  // N
+double energy(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x);  // J
+
+// The gradient of the energy is the sum of both, N.
+Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x);
+void add_friction(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient);
 
 // Pattern of the Hessian and its constant (bending) part.
 struct HessianAssembly {

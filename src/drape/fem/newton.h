@@ -16,7 +16,8 @@ struct NewtonOptions {
   double growth = 1.6;                    // of dt, per step
   double most_dt = 5;                     // s
   double step_cap = 0.05;                 // m, largest move of a vertex in one step
-  double force_share = 0.3;               // under-relaxation of the lagged normal forces; 1 does not converge
+  double least_force_share = 0.3;         // under-relaxation of the lagged normal forces, while far; 1 does not converge
+  double most_force_share = 0.7;          // near equilibrium, where it sets the rate of convergence
   std::optional<double> time_limit = {};  // s
   std::function<void(int step, double residual)> progress = {};
 };

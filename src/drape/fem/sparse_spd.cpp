@@ -2,11 +2,22 @@
 
 #include <cblas.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace toile::fem {
+namespace {
+
+// CHOLMOD opens an OpenMP region per supernode: at this size its threads cost more than they bring, and two jobs side by side
+// choke each other. Both settings are the calling thread's own.
+void run_on_one_thread() {
+  openblas_set_num_threads(1);
+  omp_set_max_active_levels(0);
+}
+
+}  // namespace
 
 // Lower triangle by columns. Column 3j+k holds the rest of the diagonal block (rows k..2), then the blocks below it in order.
 struct BlockMatrix::State {
@@ -61,7 +72,7 @@ BlockMatrix::BlockMatrix(int vertices, std::vector<std::pair<int, int>> pairs) :
     }
   s.values.assign(s.row_index.size(), 0.0);
 
-  openblas_set_num_threads(1);
+  run_on_one_thread();
   cholmod_start(&s.common);
   s.common.nmethods = 1;
   s.common.method[0].ordering = CHOLMOD_METIS;
@@ -117,6 +128,7 @@ void BlockMatrix::set_values(const std::vector<double>& values) {
 
 bool BlockMatrix::factorise() {
   State& s = *state_;
+  run_on_one_thread();
   s.common.status = CHOLMOD_OK;
   const int done = cholmod_factorize(&s.matrix, s.factor, &s.common);
   return done && s.common.status == CHOLMOD_OK && s.factor->minor == s.factor->n;

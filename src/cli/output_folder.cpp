@@ -1,0 +1,60 @@
+#include "cli/output_folder.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "garment/report.h"
+
+namespace toile {
+
+namespace fs = std::filesystem;
+
+OutputFolder::OutputFolder(fs::path folder, bool overwrite) : folder_(std::move(folder)) {
+  const auto refuse = [&](const std::string& why) {
+    throw BadInput({"output.cannot-create", Severity::error, folder_.string(), why, "Choose a folder that you may write",
+                    Fault::cannot_create});
+  };
+  std::error_code error;
+  const fs::file_status status = fs::status(folder_, error);
+  if (fs::exists(status) && !fs::is_directory(status)) refuse("is a file, not a folder");
+  if (fs::exists(status) && !overwrite && !fs::is_empty(folder_, error))
+    throw BadInput({"output.exists", Severity::error, folder_.string(), "the folder is not empty",
+                    "Choose another, or give --force to replace files of the same names", Fault::cannot_create});
+  if (!fs::exists(status)) {
+    fs::create_directories(folder_, error);
+    if (error) refuse(error.message());
+    made_folder_ = true;
+  }
+  staging_ = folder_ / (".toile-" + std::to_string(getpid()));
+  fs::create_directory(staging_, error);
+  if (error) {
+    if (made_folder_) fs::remove(folder_, error);
+    refuse(error.message());
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
+  if (made_folder_ && !kept_) fs::remove(folder_, ignored);
+}
+
+fs::path OutputFolder::path(const std::string& name) const { return staging_ / name; }
+
+std::vector<std::string> OutputFolder::keep() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(staging_)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  std::error_code error;
+  for (const std::string& name : names) {
+    fs::rename(staging_ / name, folder_ / name, error);
+    if (error)
+      throw BadInput({"output.cannot-create", Severity::error, (folder_ / name).string(), error.message(),
+                      "Choose a folder that you may write", Fault::cannot_create});
+    kept_ = true;
+  }
+  return names;
+}
+
+}  // namespace toile
