@@ -29,19 +29,29 @@ double first_hit(const Eigen::Vector2d& from, const Eigen::Vector2d& direction, 
 
 }  // namespace
 
-std::optional<Allowance> measured_allowance(const Points<2>& edge, const Points<2>& cut) {
+Allowance measured_allowance(const Points<2>& edge, const Points<2>& sew, const Points<2>& cut) {
   std::vector<double> widths;
+  int facing = 0;
   for (int i = 1; i <= samples; ++i) {
     const double at = .1 + .8 * (i - .5) / samples;
+    const Eigen::Vector2d from = point_at<2>(edge, at);
     const Eigen::Vector2d along = direction_at<2>(edge, at);
-    const double width = first_hit(point_at<2>(edge, at), {along.y(), -along.x()}, cut);
-    if (width <= farthest) widths.push_back(width);
+    const Eigen::Vector2d out(along.y(), -along.x());
+    const double width = first_hit(from, out, cut);
+    const double step = 3 * inside;
+    if (step + first_hit(from + step * out, out, sew) < width)
+      ++facing;
+    else if (width <= farthest)
+      widths.push_back(width);
   }
-  if (widths.size() * 2 < samples) return {};
+  Allowance allowance;
+  allowance.faces_itself = facing * 2 > samples;
+  if (allowance.faces_itself || widths.size() * 2 < samples) return allowance;
   std::sort(widths.begin(), widths.end());
-  const double median = widths[widths.size() / 2];
   const std::size_t eighth = widths.size() / 8;
-  return Allowance{std::round(median * 1e5) / 1e5, widths[widths.size() - 1 - eighth] - widths[eighth]};
+  allowance.width = std::round(widths[widths.size() / 2] * 1e5) / 1e5;
+  allowance.spread = widths[widths.size() - 1 - eighth] - widths[eighth];
+  return allowance;
 }
 
 }  // namespace toile::aama

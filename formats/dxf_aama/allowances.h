@@ -9,12 +9,12 @@
 namespace toile::aama {
 
 struct Allowance {
-  double width = 0;   // m, median along the edge, rounded to 0.01 mm
-  double spread = 0;  // m, between the narrowest and the widest of the middle three quarters of the samples
+  std::optional<double> width;  // m, median along the edge, rounded to 0.01 mm; nothing: no cut line within 100 mm
+  double spread = 0;            // m, between the narrowest and the widest of the middle three quarters of the samples
+  bool faces_itself = false;    // a dart's leg: outwards of it lies the piece itself, before any cut line; no width then
 };
 
-// Measured square to `edge` (a run of a counter-clockwise sew line) to the cut ring, away from the edge's ends; nothing when
-// the cut line is not met within 100 mm.
-std::optional<Allowance> measured_allowance(const Points<2>& edge, const Points<2>& cut);
+// Measured square to `edge` (a run of the counter-clockwise ring `sew`) to the cut ring, away from the edge's ends.
+Allowance measured_allowance(const Points<2>& edge, const Points<2>& sew, const Points<2>& cut);
 
 }  // namespace toile::aama

@@ -29,8 +29,8 @@ struct MarkedPoint {
 struct DrawnNotch {
   Eigen::Vector2d at;
   NotchKind kind = NotchKind::slit;
-  double depth = 0;                          // m, 0: not given
-  double width = 0;                          // m
+  double depth = 0;                                     // m, 0: not given
+  double width = 0;                                     // m
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();  // unit, as the file has it; zero: not given
   int line = 0;
   bool from_line = false;  // drawn as a line: `at` may be either end of it

@@ -49,9 +49,20 @@ std::optional<Points<2>> finer(const std::vector<Run>& dense, const Points<2>& s
   return ring;
 }
 
+// Whether `sew` goes round with `cut`: nearly all of the cut line has it within the widest hem.
+bool goes_round_with(const Points<2>& sew, const Points<2>& cut) {
+  constexpr int samples = 200;
+  constexpr double widest = 80e-3;  // m
+  const Points<2> sew_loop = closed_polyline(sew), cut_loop = closed_polyline(cut);
+  int near = 0;
+  for (int i = 0; i < samples; ++i)
+    near += nearest_on<2>(sew_loop, point_at<2>(cut_loop, double(i) / samples)).distance <= widest;
+  return near > .85 * samples;
+}
+
 // Whether `ring` runs inside `cut` at 3 .. 50 mm, the same (within 1 mm) along each of its edges.
 bool runs_parallel(Points<2> ring, const Points<2>& cut) {
-  if (ring.size() < 3 || std::abs(signed_area(ring)) < .3 * std::abs(signed_area(cut))) return false;
+  if (ring.size() < 3 || std::abs(signed_area(ring)) >= std::abs(signed_area(cut)) || !goes_round_with(ring, cut)) return false;
   if (signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
   const std::vector<bool> corner = corners_by_angle(ring, 20 * units::degree);
   const auto first = static_cast<std::size_t>(std::find(corner.begin(), corner.end(), true) - corner.begin()) % ring.size();
@@ -62,9 +73,9 @@ bool runs_parallel(Points<2> ring, const Points<2>& cut) {
     edge.push_back(ring[at]);
     if (!corner[at] && i < ring.size()) continue;
     const double length = polyline_length<2>(edge);
-    const std::optional<Allowance> allowance = measured_allowance(edge, cut);
-    if (allowance && allowance->width >= 3e-3 && allowance->width <= 50e-3 && allowance->spread <= 1e-3) even += length;
-    all += length;
+    const Allowance allowance = measured_allowance(edge, ring, cut);
+    if (allowance.width && *allowance.width >= 3e-3 && *allowance.width <= 50e-3 && allowance.spread <= 1e-3) even += length;
+    if (!allowance.faces_itself) all += length;
     edge = {ring[at]};
   }
   return even > .85 * all;
@@ -105,8 +116,8 @@ std::optional<Points<2>> sew_line_on_14(const DrawnPiece& piece, const std::opti
   if (!sew) {
     why_not = "the sew line on layer 14 does not close: a gap of " + in_mm(chain->gap, 2) + " from " +
               in_mm_at(chain->gap_from) + " to " + in_mm_at(chain->gap_to);
-  } else if (cut && std::abs(signed_area(*sew)) < .3 * std::abs(signed_area(*cut))) {
-    why_not = "the line on layer 14 encloses less than a third of the piece";
+  } else if (cut && !goes_round_with(*sew, *cut)) {
+    why_not = "the line on layer 14 goes round only a part of the piece";
     sew.reset();
   }
   return sew;

@@ -53,15 +53,18 @@ std::vector<Edge> edges_of(const Points<2>& ring, const std::vector<bool>& turn,
 }
 
 void measure_allowances(std::vector<Edge>& outline, const Points<2>& cut, const DrawnPiece& drawn, Report& report) {
-  std::string uneven, unknown;
+  Points<2> sew;
+  for (const Edge& edge : outline)
+    for (std::size_t i = 1; i < edge.points.size(); ++i) sew.push_back(edge.points[i].at);
+  std::string uneven, unknown, facing;
   for (Edge& edge : outline) {
-    const std::optional<Allowance> allowance = measured_allowance(positions(edge), cut);
-    if (allowance)
-      edge.seam_allowance = allowance->width;
-    else
-      unknown += " " + edge.id;
-    if (allowance && allowance->spread > 1e-3) uneven += " " + edge.id + " (by " + in_mm(allowance->spread) + ")";
+    const Allowance allowance = measured_allowance(positions(edge), sew, cut);
+    edge.seam_allowance = allowance.width;
+    if (allowance.spread > 1e-3) uneven += " " + edge.id + " (by " + in_mm(allowance.spread) + ")";
+    if (!allowance.width) (allowance.faces_itself ? facing : unknown) += " " + edge.id;
   }
+  if (!facing.empty())
+    report.note("aama.dart-in-outline", drawn.place(), "no allowance of their own have the edges of a dart or slit:" + facing);
   if (!uneven.empty())
     report.note("aama.uneven-allowance", drawn.place(),
                 "the allowance is not the same all along:" + uneven + "; its median is kept");
