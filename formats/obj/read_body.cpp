@@ -1,3 +1,4 @@
+#include <cmath>
 #include <utility>
 
 #include "formats/formats.h"
@@ -31,6 +32,7 @@ Loaded<Mannequin> read_body(const std::filesystem::path& file, const std::option
 
   Mannequin body;
   body.name = file.stem().string();
+  std::optional<double> stated_height;
   if (const auto beside = skeleton ? skeleton : skeleton_beside(file)) {
     const Loaded<std::string> words = read_whole_file(*beside);
     loaded.report.append(words.report);
@@ -42,13 +44,16 @@ Loaded<Mannequin> read_body(const std::filesystem::path& file, const std::option
         body.bones = std::move(read.value->bones);
         body.landmarks = std::move(read.value->landmarks);
         body.measures = std::move(read.value->measures);
+        stated_height = read.value->height;
       }
     }
   }
   if (!loaded.report.ok()) return loaded;
   body.positions = std::move(mesh.value->positions);
   body.triangles = std::move(mesh.value->triangles);
+  // A wrap stands a millimetre off the body, so the height somebody stated counts, if it can be meant for this body.
   body.height = body.positions.row(1).maxCoeff() - body.positions.row(1).minCoeff();
+  if (stated_height && std::abs(*stated_height - body.height) < .02 * body.height) body.height = *stated_height;
   loaded.value = std::move(body);
   return loaded;
 }

@@ -120,11 +120,14 @@ class Reader {
         continue;
       }
       const double metres = value.get<double>();
-      const bool height = key.size() > 2 && key.compare(key.size() - 2, 2, "_y") == 0;
-      if (key == "height") continue;  // the mesh knows
+      const bool is_level = key.size() > 2 && key.compare(key.size() - 2, 2, "_y") == 0;
+      if (key == "height") {
+        skeleton.height = metres;
+        continue;
+      }
       if (const std::string level = ours(levels, key); !level.empty())
         skeleton.landmarks[level] = metres;
-      else if (height)
+      else if (is_level)
         skeleton.landmarks[key.substr(0, key.size() - 2)] = metres;
       else if (const std::string measure = ours(measures, key); !measure.empty())
         skeleton.measures[measure] = metres;

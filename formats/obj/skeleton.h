@@ -2,6 +2,7 @@
 // NAME.skeleton.json: what a body's mesh cannot say - bones, heights of levels, measures. Format: README.md beside this file.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Skeleton {
   std::string name;
   std::vector<Bone> bones;
   std::map<std::string, double> landmarks, measures;  // m
+  std::optional<double> height;                       // m
 };
 
 // Errors "skeleton.malformed" (FILE:LINE for broken JSON, else the field), "skeleton.no-such-parent", "skeleton.unknown-unit";

@@ -121,6 +121,7 @@ class Sampler {
   }
 
   void sample_row(int j, int k, float* row) const {
+    int guess = -1;
     for (int i = 0; i < fine_.size[0]; ++i) {
       const Eigen::Vector3i near((i + stride / 2) / stride, (j + stride / 2) / stride, (k + stride / 2) / stride);
       const std::size_t anchor = coarse_.index(near[0], near[1], near[2]);
@@ -128,9 +129,12 @@ class Sampler {
       double value = 0;
       if (std::abs(signed_[anchor]) - away > band_ + blend_) {
         value = trilinear(i, j, k);
+        guess = -1;
       } else {
         const double within = (std::abs(signed_[anchor]) + away) * (1 + 1e-9) + 1e-12;
-        const double exact = sign(i, j, k) * tree_.nearest(fine_.at(i, j, k), within, nearest_[anchor]).distance;
+        const NearestPoint found = tree_.nearest(fine_.at(i, j, k), within, guess < 0 ? nearest_[anchor] : guess);
+        guess = found.triangle;
+        const double exact = sign(i, j, k) * found.distance;
         const double t = std::clamp((std::abs(exact) - band_) / blend_, 0.0, 1.0);
         const double coarse_share = t * t * (3 - 2 * t);
         value = coarse_share > 0 ? (1 - coarse_share) * exact + coarse_share * trilinear(i, j, k) : exact;

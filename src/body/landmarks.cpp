@@ -52,31 +52,30 @@ std::map<std::string, double> measured_landmarks(const Mannequin& form) {
   const Level waist = refined_level(form, at(.55), at(.70), step, std::less<>());
   levels["waist"] = waist.girth > 0 ? waist.at : at(.624);
 
-  // Thighs that touch keep one section, so the search ends where no crotch can be and proportion takes over.
-  double crotch = at(.45);
-  for (double y = at(.54); y > at(.38); y -= step / 10)
+  // Thighs that touch keep one section: then the legs part below any crotch, and proportion takes over.
+  levels["crotch"] = at(.45);
+  for (double y = at(.54); y > at(.40); y -= step / 10)
     if (trunk_girth(form.positions, form.triangles, y) == 0) {
-      crotch = y + step / 10;
+      if (y > at(.42)) levels["crotch"] = y + step / 10;
       break;
     }
-  levels["crotch"] = crotch;
 
-  const Level hip = refined_level(form, crotch + .01 * height, levels["waist"] - .05 * height, step, std::greater<>());
-  levels["hip"] = hip.girth > 0 ? hip.at : at(.48);
+  levels["hip"] = at(.484);
   levels["high_hip"] = (levels["hip"] + levels["waist"]) / 2;
   const Level bust = refined_level(form, at(.68), at(.745), step, std::greater<>());
   levels["bust"] = bust.girth > 0 ? bust.at : at(.726);
   levels["underbust"] = levels["bust"] - .0455 * height;
   levels["armpit"] = at(.755);
 
-  const auto from_bone = [&](const std::string& landmark, const std::string& bone, bool end, double share) {
+  // A bone starts or ends `drop` of the height above its level.
+  const auto from_bone = [&](const std::string& landmark, const std::string& bone, bool end, double drop, double share) {
     const Bone* found = find_bone(form, bone);
-    levels[landmark] = found ? (end ? found->to : found->from)[1] : at(share);
+    levels[landmark] = found ? (end ? found->to : found->from)[1] - drop * height : at(share);
   };
-  from_bone("nape", "neck", false, .841);
-  from_bone("shoulder", "upperarm.L", false, .80);
-  from_bone("knee", "thigh.L", true, .275);
-  from_bone("ankle", "shin.L", true, .073);
+  from_bone("nape", "neck", false, .0085, .841);
+  from_bone("shoulder", "upperarm.L", false, 0, .80);
+  from_bone("knee", "thigh.L", true, 0, .275);
+  levels["ankle"] = at(.072);
   return levels;
 }
 

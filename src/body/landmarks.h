@@ -14,10 +14,11 @@ struct UprightExtent {
 };
 UprightExtent upright_extent(const Mannequin& form);
 
-// "waist": least girth of the trunk between .55 and .70 of the height; "crotch": where the section parts into two legs; "hip":
-// largest girth between them; "high_hip": halfway from hip to waist; "bust": largest girth between .68 and .745 of the height;
-// "nape", "shoulder", "knee", "ankle": of the bones when there are some, else by proportion, like "underbust" and "armpit".
-// Heights above the floor, m. `form` closed, upright, in metres.
+// "waist": least girth of the trunk between .55 and .70 of the height; "bust": largest girth between .68 and .745 of it;
+// "crotch": where the section parts into two legs, when the thighs do not touch; "nape", "shoulder", "knee": of the bones, when
+// there are some. The rest, and these where the shape does not say, by proportion: "hip" (girth only grows from there to the
+// crotch, so no shape shows it), "high_hip" (halfway from hip to waist), "underbust", "armpit", "ankle". Heights above the
+// floor, m. `form` closed, upright, in metres.
 std::map<std::string, double> measured_landmarks(const Mannequin& form);
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "body/coherent_limbs.h"
@@ -54,6 +55,38 @@ AxisPoint nearest_on(const LimbAxis& axis, const Vec& query) {
   return best;
 }
 
+// From the bone outwards; `crossings` sorted, m. Walls inside the body, where its parts overlap, are passed over.
+struct Ray {
+  const Body& body;
+  Vec from, direction;
+  std::vector<double> crossings;
+
+  bool outside_between(double a, double b) const {
+    return b - a > 1e-9 && body.distance.distance(from + (a + b) / 2 * direction) > 0;
+  }
+
+  std::optional<double> last_skin() const { return crossings.empty() ? std::nullopt : std::optional(crossings.back()); }
+
+  std::optional<double> way_out(double start) const {
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+      if (crossings[i] >= start - skin_slack && (i + 1 == crossings.size() || outside_between(crossings[i], crossings[i + 1])))
+        return crossings[i];
+    return std::nullopt;
+  }
+
+  // Length outside the body between the bone and `end`.
+  double air(double end) const {
+    double sum = 0, before = 0;
+    const auto add = [&](double until) {
+      if (outside_between(before, until)) sum += until - before;
+      before = until;
+    };
+    for (const double t : crossings) add(std::min(t, end));
+    add(end);
+    return sum;
+  }
+};
+
 struct Judged {
   RelativePlace place;
   double cost = 0;
@@ -78,35 +111,18 @@ Judged judge(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
   }
 
   const bool inside = body.distance.distance(at) < 0;
-  const double far = inside ? reach + 10 : reach + skin_slack;
-  const std::vector<double> crossings = body.skin.crossings(base.at, place.outward, far);
-  const auto in_range = [&](double t) { return inside ? t >= reach - skin_slack : true; };
-  double nearest = -1;
-  for (const double t : crossings)
-    if (in_range(t) && (nearest < 0 || std::abs(t - reach) < std::abs(nearest - reach))) nearest = t;
-  if (nearest >= 0) {
-    place.on_skin = base.at + nearest * place.outward;
-    place.offset = reach - nearest;
+  const Ray ray{body, base.at, place.outward,
+                body.skin.crossings(base.at, place.outward, inside ? reach + 10 : reach + skin_slack)};
+  if (const auto skin = inside ? ray.way_out(reach) : ray.last_skin()) {
+    place.on_skin = base.at + *skin * place.outward;
+    place.offset = reach - *skin;
   } else {
-    const NearestPoint skin = body.skin.nearest(at);
-    place.on_skin = skin.at;
-    place.offset = inside ? -skin.distance : skin.distance;
+    const NearestPoint nearest = body.skin.nearest(at);
+    place.on_skin = nearest.at;
+    place.offset = inside ? -nearest.distance : nearest.distance;
     place.through_skin = false;
   }
-
-  double air = std::abs(place.offset);
-  if (!inside) {  // walk back from the point through all the air there is before the bone
-    air = 0;
-    double end = reach;
-    bool outside = true;
-    for (auto t = crossings.rbegin(); t != crossings.rend(); ++t) {
-      if (*t > reach) continue;
-      if (outside) air += end - *t;
-      end = *t;
-      outside = !outside;
-    }
-    if (outside) air += end;
-  }
+  const double air = inside ? std::abs(place.offset) : ray.air(reach);
   result.cost = air + std::abs(place.beyond) + bone_share * reach + std::max(0.0, base.along - axis.body_end);
   return result;
 }
