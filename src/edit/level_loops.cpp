@@ -44,11 +44,12 @@ LevelMesh level_mesh(const Eigen::Matrix3Xi& triangles) {
   return mesh;
 }
 
-LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, double level) {
+LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, double level, LevelSide side) {
   const auto above = [&](int v) { return field(v) >= level; };
   const auto crossed = [&](std::size_t e) { return above(mesh.edges[e].vertex[0]) != above(mesh.edges[e].vertex[1]); };
-  const auto nearer_end = [&](std::size_t e) {
+  const auto chosen_end = [&](std::size_t e) {
     const auto [a, b] = mesh.edges[e].vertex;
+    if (side != LevelSide::nearer) return above(a) == (side == LevelSide::after) ? a : b;
     return std::abs(field(a) - level) <= std::abs(field(b) - level) ? a : b;
   };
   LevelLoops found;
@@ -66,7 +67,7 @@ LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, doub
       if (next == edge || done[next]) return false;
       edge = next;
       done[edge] = true;
-      walk.push_back(nearer_end(edge));
+      walk.push_back(chosen_end(edge));
       triangle = mesh.edges[edge].triangle[mesh.edges[edge].triangle[0] == triangle ? 1 : 0];
     }
     return false;
@@ -74,7 +75,7 @@ LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, doub
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     if (done[e] || !crossed(e)) continue;
     done[e] = true;
-    VertexLoop walk{nearer_end(e)};
+    VertexLoop walk{chosen_end(e)};
     if (follow(e, mesh.edges[e].triangle[0], walk)) {
       VertexLoop loop = simple_cycle(walk);
       if (loop.size() >= 3) found.closed.push_back(std::move(loop));

@@ -22,7 +22,9 @@ struct LevelLoops {
   int open = 0;                    // lines that end at the garment's boundary
 };
 
-// Every vertex is the nearer end of an edge that the level line crosses, so it is at most half an edge off.
-LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, double level);
+// Which end of an edge that the level line crosses: the nearer one (at most half an edge off), or the one before or after it.
+enum class LevelSide { nearer, before, after };
+
+LevelLoops level_loops(const LevelMesh& mesh, const Eigen::VectorXd& field, double level, LevelSide side = LevelSide::nearer);
 
 }  // namespace toile

@@ -110,10 +110,10 @@ std::optional<Level> level_named(const EditInput& input, const std::string& name
   return Level{bone->from + share * (bone->to - bone->from), upright ? Eigen::Vector3d::UnitY() : along, true};
 }
 
-std::vector<VertexLoop> loops_at(const EditInput& input, const Level& level, const std::string& name,
-                                 const std::string& place) {
+NamedLoops loops_at(const EditInput& input, const Level& level, const std::string& name, const std::string& place,
+                    LevelSide side) {
   const Eigen::VectorXd field = (level.normal.transpose() * (input.drape.colwise() - level.at)).transpose();
-  const LevelLoops all = level_loops(level_mesh(input.garment.triangles), field, 0);
+  const LevelLoops all = level_loops(level_mesh(input.garment.triangles), field, 0, side);
   std::vector<VertexLoop> found;
   if (level.of_bone) {
     for (const VertexLoop& loop : all.closed)
@@ -122,7 +122,7 @@ std::vector<VertexLoop> loops_at(const EditInput& input, const Level& level, con
   } else {
     found = round_trunk_or_legs(input, all.closed);
   }
-  if (!found.empty()) return found;
+  if (!found.empty()) return {found, Eigen::Hyperplane<double, 3>(level.normal, level.at)};
   if (all.open > 0)
     throw BadInput({"edit.open-chain", Severity::error, place, "the garment is open at '" + name + "'",
                     "sew the opening in the pattern, or choose a loop where the garment closes round the body"});
@@ -151,7 +151,7 @@ Eigen::Vector3d loop_centre(const Eigen::Matrix3Xd& positions, const VertexLoop&
   return sum / std::max(1e-12, loop_length(positions, loop));
 }
 
-std::vector<VertexLoop> resolve_loops(const EditInput& input, const std::string& name, const std::string& place) {
+NamedLoops resolve_loops(const EditInput& input, const std::string& name, const std::string& place, LevelSide side) {
   std::vector<PanelEdge> edges;
   std::optional<std::string> unknown;
   for (const std::string& part : split_names(name)) {
@@ -162,13 +162,13 @@ std::vector<VertexLoop> resolve_loops(const EditInput& input, const std::string&
   if (!unknown) {
     const auto loops = closed_chains(input.pattern, input.garment, input.drape, edges, place, name);
     const auto round = name == "hem" ? round_trunk_or_legs(input, loops) : loops;
-    return round.empty() ? loops : round;
+    return {round.empty() ? loops : round, {}};
   }
   std::vector<VertexLoop> loops;
   if (name == "hem") loops = lowest_free_boundary(input);
   if (name == "waist") loops = highest_free_boundary(input);
-  if (!loops.empty()) return loops;
-  if (const auto level = level_named(input, name, place)) return loops_at(input, *level, name, place);
+  if (!loops.empty()) return {loops, {}};
+  if (const auto level = level_named(input, name, place)) return loops_at(input, *level, name, place, side);
   throw BadInput({"edit.unknown-loop", Severity::error, place, "the garment has no loop '" + *unknown + "'",
                   "there are: " + list_of_names(input)});
 }

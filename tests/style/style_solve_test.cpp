@@ -40,9 +40,15 @@ HardConstraints hem_slid(const Eigen::Matrix3Xd& source, double by, const Eigen:
 
 StyleSolution slide(const SyntheticSkirt& skirt, double by, const StyleOptions& options = {}) {
   Eigen::Matrix3Xd guess = skirt.drape;
-  if (getenv("LIN")) for (Eigen::Index v=0; v<guess.cols(); ++v) { const double d = 1.05 - guess(1,v); if (d>.22) guess(1,v) -= by*(d-.22)/.43; }
-  StyleOptions o=options; if (getenv("BETA")) o.in_plane_pull=atof(getenv("BETA")); if(getenv("ITS")) o.most_iterations=atoi(getenv("ITS"));
-  if(getenv("TOL")) o.tolerance=atof(getenv("TOL"));
+  if (getenv("LIN"))
+    for (Eigen::Index v = 0; v < guess.cols(); ++v) {
+      const double d = 1.05 - guess(1, v);
+      if (d > .22) guess(1, v) -= by * (d - .22) / .43;
+    }
+  StyleOptions o = options;
+  if (getenv("BETA")) o.in_plane_pull = atof(getenv("BETA"));
+  if (getenv("ITS")) o.most_iterations = atoi(getenv("ITS"));
+  if (getenv("TOL")) o.tolerance = atof(getenv("TOL"));
   return solve_style(guess, source_triangles(skirt.drape, skirt.garment.triangles),
                      hem_slid(skirt.drape, by, -Eigen::Vector3d::UnitY()), {}, o);
 }

@@ -73,12 +73,12 @@ double section_gap(const SkirtShape& shape, const Eigen::Vector3d& at) {
 }
 
 Mannequin elliptical_body(const SkirtShape& shape) {
-  constexpr int around = 72, levels = 90;
+  constexpr int around = 72, levels = 110;
   Mannequin form;
   form.name = "elliptical";
   form.height = 1.7;
   form.positions.resize(3, around * levels + 2);
-  const double top = shape.waist_height + 0.35;
+  const double top = form.height;
   for (int level = 0; level < levels; ++level)
     for (int i = 0; i < around; ++i) {
       const double y = top * (1 - level / (levels - 1.0));
@@ -105,8 +105,8 @@ Mannequin elliptical_body(const SkirtShape& shape) {
   const double hip = shape.waist_height - shape.tight;
   form.bones = {{"pelvis", "", {0, hip - 0.02, -0.02}, {0, hip, 0}},
                 {"spine_low", "pelvis", {0, hip, 0}, {0, shape.waist_height, 0}},
-                {"chest", "spine_low", {0, shape.waist_height, 0}, {0, top, 0}},
-                {"head", "chest", {0, top, 0}, {0, form.height, 0}},
+                {"chest", "spine_low", {0, shape.waist_height, 0}, {0, 1.4, 0}},
+                {"head", "chest", {0, 1.4, 0}, {0, form.height - 0.02, 0}},
                 {"thigh.L", "pelvis", {0.07, hip, 0}, {0.08, 0.45, 0}},
                 {"foot.L", "thigh.L", {0.08, 0.45, 0}, {0.08, 0.02, 0}},
                 {"thigh.R", "pelvis", {-0.07, hip, 0}, {-0.08, 0.45, 0}},

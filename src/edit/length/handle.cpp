@@ -6,17 +6,19 @@
 #include <map>
 #include <set>
 
-#include "edit/level_loops.h"
+#include "edit/length/automatic_anchor.h"
 #include "edit/loops.h"
-#include "geometry/topology.h"
 
 namespace toile {
 namespace {
 
+const char* const loop_place = "edit 'length', loop";
 const char* const anchor_place = "edit 'length', anchor";
 
-std::vector<std::vector<int>> neighbours_of(const LevelMesh& mesh, Eigen::Index count) {
-  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(count));
+using Neighbours = std::vector<std::vector<int>>;
+
+Neighbours neighbours_of(const LevelMesh& mesh, Eigen::Index count) {
+  Neighbours neighbours(static_cast<std::size_t>(count));
   for (const MeshEdge& edge : mesh.edges) {
     neighbours[static_cast<std::size_t>(edge.vertex[0])].push_back(edge.vertex[1]);
     neighbours[static_cast<std::size_t>(edge.vertex[1])].push_back(edge.vertex[0]);
@@ -24,8 +26,7 @@ std::vector<std::vector<int>> neighbours_of(const LevelMesh& mesh, Eigen::Index 
   return neighbours;
 }
 
-std::vector<int> reached(const std::vector<std::vector<int>>& neighbours, const VertexLoop& from,
-                         const std::set<int>& blocked) {
+std::vector<int> reached(const Neighbours& neighbours, const VertexLoop& from, const std::set<int>& blocked) {
   std::vector<bool> seen(neighbours.size(), false);
   std::vector<int> stack;
   for (const int v : from)
@@ -44,8 +45,11 @@ std::vector<int> reached(const std::vector<std::vector<int>>& neighbours, const 
   return found;
 }
 
-double mean_level(const Eigen::Matrix3Xd& positions, const VertexLoop& loop, const Eigen::Vector3d& axis) {
-  return axis.dot(loop_centre(positions, loop));
+bool touches(const Neighbours& neighbours, const VertexLoop& ring, const std::vector<int>& part) {
+  return std::any_of(ring.begin(), ring.end(), [&](int v) {
+    const auto& next = neighbours[static_cast<std::size_t>(v)];
+    return std::any_of(next.begin(), next.end(), [&](int w) { return std::binary_search(part.begin(), part.end(), w); });
+  });
 }
 
 // The way the limb runs that most of the loop belongs to; straight down for limbs that hang nearly so.
@@ -61,118 +65,69 @@ Eigen::Vector3d limb_direction(const std::vector<RelativePlace>& places, const V
   return axis.y() < -std::cos(0.26) ? Eigen::Vector3d(-Eigen::Vector3d::UnitY()) : axis;
 }
 
-// Rings round the same limb as the loop (or the trunk, when the loop is round a leg), nearest to the loop first.
-class Rings {
- public:
-  Rings(const EditInput& input, const LevelMesh& mesh, const Handle& handle, const std::vector<bool>& connected)
-      : input_(input), mesh_(mesh), handle_(handle), connected_(connected), chains_(skeleton_chains(input.body.form)) {
-    field_ = (handle.axis.transpose() * input.drape).transpose();
-    own_ = threading(chains_, input.drape, handle.loop);
-  }
+// The side of a level's plane that is towards `way`, or against it.
+LevelSide side_of(const NamedLoops& named, const Eigen::Vector3d& way) {
+  return named.level && named.level->normal().dot(way) < 0 ? LevelSide::before : LevelSide::after;
+}
 
-  // The ring `above` metres from the loop towards the anchor; empty when there is none.
-  VertexLoop at(double above) const {
-    for (const VertexLoop& loop : level_loops(mesh_, field_, handle_.level - above).closed)
-      if (connected_[static_cast<std::size_t>(loop[0])] && alike(threading(chains_, input_.drape, loop))) return loop;
-    return {};
-  }
-
- private:
-  static bool round_trunk(const Threading& t) { return t.heads > 0 || t.feet > 1 || t.hands > 1; }
-  bool alike(const Threading& ring) const {
-    if (ring.nothing()) return false;
-    if (own_.nothing() || round_trunk(own_)) return round_trunk(ring) || ring.round_trunk_or_leg();
-    return ring.chains == own_.chains || (own_.feet == 1 && round_trunk(ring));
-  }
-
-  const EditInput& input_;
-  const LevelMesh& mesh_;
-  const Handle& handle_;
-  const std::vector<bool>& connected_;
-  std::vector<SkeletonChain> chains_;
-  Eigen::VectorXd field_;
-  Threading own_;
-};
-
-struct AutomaticAnchor {
-  VertexLoop ring;
-  std::optional<double> tight_edge;
-};
-
-AutomaticAnchor find_anchor(const EditInput& input, const Rings& rings, const Handle& handle, const ContactRegion& contact,
-                            double by) {
-  constexpr double step = 0.01;
-  const double wanted = std::max(0.08, by < 0 ? -2.5 * by : 1.5 * by);
-  AutomaticAnchor found;
-  int missing = 0;
-  for (double above = 2 * step; missing < 5; above += step) {
-    VertexLoop ring = rings.at(above);
-    missing = ring.empty() ? missing + 1 : 0;
-    if (ring.empty()) continue;
-    if (!found.tight_edge && tight_share(contact, input.drape, ring) >= 0.5) found.tight_edge = handle.level - above;
-    const bool apart = std::none_of(ring.begin(), ring.end(), [&](int v) {
-      return std::find(handle.loop.begin(), handle.loop.end(), v) != handle.loop.end();
-    });
-    if (apart) found.ring = std::move(ring);
-    if (found.tight_edge && above >= wanted && apart) break;
-  }
-  return found;
+// Axis coordinate of a loop in the mean, or of the plane that names it.
+double level_of(const NamedLoops& named, const Eigen::Matrix3Xd& positions, const VertexLoop& loop,
+                const Eigen::Vector3d& axis) {
+  if (named.level && std::abs(named.level->normal().dot(axis)) > 0.999)
+    return -named.level->offset() / named.level->normal().dot(axis);
+  return axis.dot(loop_centre(positions, loop));
 }
 
 }  // namespace
 
-std::vector<Handle> make_handles(const EditInput& input, const std::vector<VertexLoop>& loops,
-                                 const std::vector<RelativePlace>& places, const ContactRegion& contact,
-                                 const std::string& anchor, double by) {
+std::vector<Handle> make_handles(const EditInput& input, const std::string& loop_name, const std::vector<RelativePlace>& places,
+                                 const ContactRegion& contact, const std::string& anchor, double by) {
   const LevelMesh mesh = level_mesh(input.garment.triangles);
-  const auto neighbours = neighbours_of(mesh, input.drape.cols());
-  std::vector<bool> on_boundary(neighbours.size(), false);
+  const Neighbours neighbours = neighbours_of(mesh, input.drape.cols());
+  std::set<int> on_boundary;
   for (const MeshEdge& edge : mesh.edges)
-    if (edge.triangle[1] < 0)
-      for (const int v : edge.vertex) on_boundary[static_cast<std::size_t>(v)] = true;
+    if (edge.triangle[1] < 0) on_boundary.insert(edge.vertex.begin(), edge.vertex.end());
   const bool automatic = anchor == "auto";
-  const std::vector<VertexLoop> named = automatic ? std::vector<VertexLoop>{} : resolve_loops(input, anchor, anchor_place);
+  NamedLoops loops = resolve_loops(input, loop_name, loop_place);
+  if (loops.level) {  // the far side of its plane, so that what is before it can be scaled right up to it
+    const Eigen::Vector3d way = limb_direction(places, loops.loops.front());
+    loops = resolve_loops(input, loop_name, loop_place, side_of(loops, way));
+  }
 
   std::vector<Handle> handles;
-  for (const VertexLoop& loop : loops) {
+  for (const VertexLoop& loop : loops.loops) {
     Handle handle;
     handle.loop = loop;
     handle.axis = limb_direction(places, loop);
     const std::vector<int> part = reached(neighbours, loop, {});
     std::vector<bool> connected(neighbours.size(), false);
-    double mean = 0;
+    double middle = 0;
     for (const int v : part) {
       connected[static_cast<std::size_t>(v)] = true;
-      mean += handle.axis.dot(input.drape.col(v)) / static_cast<double>(part.size());
+      middle += handle.axis.dot(input.drape.col(v)) / static_cast<double>(part.size());
     }
-    handle.level = mean_level(input.drape, loop, handle.axis);
-    for (const VertexLoop& ring : named)
-      if (connected[static_cast<std::size_t>(ring[0])]) handle.anchor.push_back(ring);
-    const bool free_edge =
-        std::all_of(loop.begin(), loop.end(), [&](int v) { return on_boundary[static_cast<std::size_t>(v)]; });
-    double against = mean;
-    if (!handle.anchor.empty()) against = mean_level(input.drape, handle.anchor[0], handle.axis);
-    if ((free_edge || !automatic) && against > handle.level) {
-      handle.axis = -handle.axis;
-      handle.level = -handle.level;
-    }
-    const AutomaticAnchor found = find_anchor(input, Rings(input, mesh, handle, connected), handle, contact, by);
+    const auto on_part = [&](const VertexLoop& ring) { return connected[static_cast<std::size_t>(ring[0])]; };
+
+    NamedLoops named;
+    if (!automatic) named = resolve_loops(input, anchor, anchor_place);
+    const auto mine = std::find_if(named.loops.begin(), named.loops.end(), on_part);
+    const bool free_edge = std::all_of(loop.begin(), loop.end(), [&](int v) { return on_boundary.count(v) > 0; });
+    const double here = level_of(loops, input.drape, loop, handle.axis);
+    const bool backwards = mine != named.loops.end() ? level_of(named, input.drape, *mine, handle.axis) > here
+                                                     : automatic && free_edge && middle > here;
+    if (backwards) handle.axis = -handle.axis;
+    handle.level = level_of(loops, input.drape, loop, handle.axis);
+    if (named.level) named = resolve_loops(input, anchor, anchor_place, side_of(named, -handle.axis));
+
+    const AutomaticAnchor found = automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by);
     handle.tight_edge = found.tight_edge;
-    if (automatic && !found.ring.empty()) handle.anchor.push_back(found.ring);
+    if (automatic && !found.ring.empty()) named.loops.push_back(found.ring);
 
     std::set<int> blocked;
-    for (const VertexLoop& ring : handle.anchor) blocked.insert(ring.begin(), ring.end());
+    for (const VertexLoop& ring : named.loops) blocked.insert(ring.begin(), ring.end());
     handle.moving = reached(neighbours, loop, blocked);
-    std::vector<VertexLoop> bounding;
-    for (const VertexLoop& ring : handle.anchor) {
-      const bool touches = std::any_of(ring.begin(), ring.end(), [&](int v) {
-        const auto& next = neighbours[static_cast<std::size_t>(v)];
-        return std::any_of(next.begin(), next.end(),
-                           [&](int w) { return std::binary_search(handle.moving.begin(), handle.moving.end(), w); });
-      });
-      if (touches) bounding.push_back(ring);
-    }
-    handle.anchor = std::move(bounding);
+    for (const VertexLoop& ring : named.loops)
+      if (touches(neighbours, ring, handle.moving)) handle.anchor.push_back(ring);
     const bool overlaps = std::any_of(loop.begin(), loop.end(), [&](int v) { return blocked.count(v) > 0; });
     if (handle.anchor.empty() || overlaps)
       throw BadInput({"edit.anchor-elsewhere", Severity::error, anchor_place,
@@ -182,9 +137,10 @@ std::vector<Handle> make_handles(const EditInput& input, const std::vector<Verte
 
     double nearest_anchor = -1e9, nearest_loop = 1e9;
     for (const VertexLoop& ring : handle.anchor) {
-      handle.anchor_level += mean_level(input.drape, ring, handle.axis) / static_cast<double>(handle.anchor.size());
+      handle.anchor_level += level_of(named, input.drape, ring, handle.axis) / static_cast<double>(handle.anchor.size());
       for (const int v : ring) nearest_anchor = std::max(nearest_anchor, handle.axis.dot(input.drape.col(v)));
     }
+    if (automatic) handle.anchor_level = found.level;
     for (const int v : loop) nearest_loop = std::min(nearest_loop, handle.axis.dot(input.drape.col(v)));
     handle.room = nearest_loop - nearest_anchor;
     handles.push_back(std::move(handle));

@@ -162,12 +162,15 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
 Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
                        const ContactRegion& contact, const SlideOptions& options) {
   const auto triangles = source_triangles(input.drape, input.garment.triangles);
-  Slide slide;
+  Slide best;
   for (const double in_plane_pull : {0.02, 0.1, 0.3}) {
-    slide = slide_once(input, handles, places, contact, triangles, options, in_plane_pull);
-    if (slide.deviation.flipped.empty()) break;
+    Slide slide = slide_once(input, handles, places, contact, triangles, options, in_plane_pull);
+    const bool better = slide.deviation.flipped.empty();
+    const bool enough = better && (slide.settled || in_plane_pull >= 0.1);
+    if (better || best.positions.size() == 0) best = std::move(slide);
+    if (enough) break;
   }
-  return slide;
+  return best;
 }
 
 }  // namespace toile

@@ -1,0 +1,47 @@
+#include "edit/length/automatic_anchor.h"
+
+#include <algorithm>
+#include <set>
+
+namespace toile {
+namespace {
+
+bool round_trunk(const Threading& ring) { return ring.heads > 0 || ring.feet > 1 || ring.hands > 1; }
+
+bool same_limb(const Threading& loop, const Threading& ring) {
+  if (ring.nothing()) return false;
+  if (loop.nothing() || round_trunk(loop)) return ring.round_trunk_or_leg();
+  return ring.chains == loop.chains || (loop.feet == 1 && round_trunk(ring));
+}
+
+}  // namespace
+
+AutomaticAnchor automatic_anchor(const EditInput& input, const LevelMesh& mesh, const ContactRegion& contact,
+                                 const VertexLoop& loop, const Eigen::Vector3d& axis, double level,
+                                 const std::vector<bool>& connected, double by) {
+  constexpr double step = 0.01;
+  constexpr int most_missing = 5;  // a gap of that many steps is the end of the limb
+  const double wanted = std::max(0.08, by < 0 ? -2.5 * by : 1.5 * by);
+  const auto chains = skeleton_chains(input.body.form);
+  const Threading own = threading(chains, input.drape, loop);
+  const Eigen::VectorXd field = (axis.transpose() * input.drape).transpose();
+  const std::set<int> of_loop(loop.begin(), loop.end());
+  AutomaticAnchor found;
+  int missing = 0;
+  for (double above = 2 * step; missing < most_missing; above += step) {
+    ++missing;
+    for (VertexLoop& ring : level_loops(mesh, field, level - above, LevelSide::before).closed) {
+      if (!connected[static_cast<std::size_t>(ring[0])] || !same_limb(own, threading(chains, input.drape, ring))) continue;
+      missing = 0;
+      if (!found.tight_edge && tight_share(contact, input.drape, ring) >= 0.5) found.tight_edge = level - above;
+      if (std::any_of(ring.begin(), ring.end(), [&](int v) { return of_loop.count(v) > 0; })) break;
+      found.ring = std::move(ring);
+      found.level = level - above;
+      break;
+    }
+    if (missing == 0 && found.tight_edge && above >= wanted && !found.ring.empty()) break;
+  }
+  return found;
+}
+
+}  // namespace toile
