@@ -16,17 +16,13 @@ struct PatternFormat {
   Loaded<Pattern> (*read)(const std::filesystem::path& file, const PatternReadOptions& options);
 };
 
-bool looks_like_dxf(std::string_view bytes) {
-  return bytes.substr(0, 18) == "AutoCAD Binary DXF" || dxf::read_tags(bytes.substr(0, bytes.find("HEADER")), "").report.ok();
-}
-
 bool looks_like_json(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
 const PatternFormat formats[] = {
-    {"DXF (AAMA, ASTM)", ".dxf", looks_like_dxf,
+    {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf,
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_dxf_aama(file, options.unit_in_metres);
      }},

@@ -22,6 +22,8 @@ std::string_view next_line(std::string_view& rest) {
   return line;
 }
 
+bool is_binary(std::string_view bytes) { return bytes.substr(0, 18) == "AutoCAD Binary DXF"; }
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -53,9 +55,16 @@ std::optional<int> whole_number(std::string_view value) {
   return result;
 }
 
+bool looks_like_dxf(std::string_view bytes) {
+  if (is_binary(bytes)) return true;
+  const std::optional<int> code = whole_number(next_line(bytes));
+  const std::string_view value = trimmed(next_line(bytes));
+  return code == 999 || (code == 0 && value == "SECTION") || (code == 9 && value.substr(0, 1) == "$");
+}
+
 Loaded<std::vector<Tag>> read_tags(std::string_view bytes, const std::string& name) {
   Loaded<std::vector<Tag>> loaded;
-  if (bytes.substr(0, 18) == "AutoCAD Binary DXF") {
+  if (is_binary(bytes)) {
     loaded.report.error("dxf.binary", name, "this is a binary DXF, which Toile does not read",
                         "save it as ASCII DXF (R12 is the safest)");
     return loaded;
@@ -70,7 +79,10 @@ Loaded<std::vector<Tag>> read_tags(std::string_view bytes, const std::string& na
     const int code_line = ++line;
     const std::optional<int> code = whole_number(code_text);
     if (!code || *code < -5 || *code > 1071) {
-      if (code_text.empty() && bytes.find_first_not_of(" \t\r\n\x1a") == std::string_view::npos) break;
+      constexpr std::string_view nothing = " \t\r\n\x1a";  // the old end-of-file mark included
+      if (code_text.find_first_not_of(nothing) == std::string_view::npos &&
+          bytes.find_first_not_of(nothing) == std::string_view::npos)
+        break;
       const std::string shown(code_text.substr(0, 40));
       if (tags.empty())
         loaded.report.error("dxf.not-dxf", name,

@@ -21,6 +21,9 @@ struct Tag {
 // without its value). `name` is what findings call the file.
 Loaded<std::vector<Tag>> read_tags(std::string_view bytes, const std::string& name);
 
+// Whether a file without the extension is one, binary or not.
+bool looks_like_dxf(std::string_view bytes);
+
 // The value as a finite number that may be a coordinate (|x| <= 1e9); leading '+' allowed, decimal comma not.
 std::optional<double> number(std::string_view value);
 std::optional<int> whole_number(std::string_view value);
