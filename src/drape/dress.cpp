@@ -54,8 +54,7 @@ LooseCloth loose_cloth(const Pattern& pattern, const GarmentMesh& garment, const
     for (const MeshEdge& edge : mesh_edges(panel.triangles)) {
       cloth.edges.push_back(tie(edge.vertex[0], edge.vertex[1]));
       if (edge.triangle[1] < 0) continue;
-      cloth.bends.push_back(
-          tie(panel.triangles(edge.opposite[0], edge.triangle[0]), panel.triangles(edge.opposite[1], edge.triangle[1])));
+      cloth.bends.push_back(tie(edge.opposite[0], edge.opposite[1]));
     }
     first += n;
   }

@@ -9,7 +9,7 @@
 namespace toile {
 
 // An edge with the triangles on its two sides; triangle[1] is -1 on a boundary. vertex[0] < vertex[1]; triangle[0] is the one
-// that runs from vertex[0] to vertex[1] unless only the other exists. opposite[i] is the corner of triangle[i] off the edge.
+// that runs from vertex[0] to vertex[1] unless only the other exists. opposite[i] is the vertex of triangle[i] off the edge.
 struct MeshEdge {
   std::array<int, 2> vertex;
   std::array<int, 2> triangle;

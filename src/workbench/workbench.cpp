@@ -1,0 +1,105 @@
+#include "workbench/workbench.h"
+
+#include <cstdio>
+
+#include "drape/dress.h"
+#include "garment/units.h"
+#include "triangulate/triangulate.h"
+
+namespace toile {
+namespace {
+
+constexpr double penetration_limit = 0.5e-3;  // m
+constexpr double slip_limit = 30e-3;          // m
+
+std::string scientific(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", value);
+  return text;
+}
+
+Drape settle(const GarmentMesh& garment, const Eigen::Matrix3Xd& start, const Scene& scene, double tolerance,
+             const DrapeSteps& progress) {
+  return scene.simulator.drape({.garment = garment,
+                                .start = start,
+                                .body = scene.body,
+                                .fabric = scene.fabric,
+                                .tolerance = tolerance,
+                                .progress = progress});
+}
+
+}  // namespace
+
+Report drape_findings(const Drape& drape, double tolerance, const std::string& what) {
+  Report report;
+  if (!drape.settled)
+    report.error("drape.not-settled", what, "did not come to rest: residual " + scientific(drape.residual) + " of " + scientific(tolerance),
+                 "Its measures are those of the best state found; a stiffer fabric or a looser tolerance settles", Fault::not_converged);
+  if (drape.max_penetration > penetration_limit)
+    report.error("drape.penetrates", what, "the cloth is " + in_mm(drape.max_penetration) + " inside the body",
+                 "Use a smaller edge length, or check that the garment is wide enough for the body", Fault::checks_failed);
+  if (drape.inverted_triangles > 0)
+    report.warn("drape.inverted", what, std::to_string(drape.inverted_triangles) + " triangles are turned over",
+                "Look at the picture: the cloth is crumpled there");
+  if (drape.slipped > slip_limit)
+    report.warn("drape.slipped", what, "the part that holds the garment dropped by " + in_mm(drape.slipped),
+                "The garment is too wide to stay where its pieces were placed");
+  return report;
+}
+
+Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeSteps& progress) {
+  Worn worn;
+  worn.garment = sew(pattern, triangulate(pattern, {.edge_length = edge_length}));
+  Dressed dressed = dress(pattern, worn.garment, scene.body);
+  worn.seam_gap = dressed.seam_gap;
+  worn.report = std::move(dressed.report);
+  worn.drape = settle(worn.garment, dressed.positions, scene, tolerance, progress);
+  worn.report.append(drape_findings(worn.drape, tolerance, "source drape"));
+  return worn;
+}
+
+Target edit(const Pattern& pattern, const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
+  Target target;
+  target.garment = worn.garment;
+  target.source = target.positions = worn.drape.positions;
+  for (const Edit& step : edits) {
+    try {
+      const Eigen::Matrix3Xd before = target.positions;
+      Target next = find_operation(step.operation).apply({pattern, worn.garment, before, scene.body}, step.arguments);
+      next.report.findings.insert(next.report.findings.begin(), target.report.findings.begin(), target.report.findings.end());
+      next.source = worn.drape.positions;
+      target = std::move(next);
+    } catch (const BadInput& bad) {
+      Finding finding = bad.finding();
+      finding.place = finding.place.empty() ? step.place : step.place + ", " + finding.place;
+      throw BadInput(finding);
+    }
+  }
+  return target;
+}
+
+Simulate phi(const Scene& scene, const DrapeSteps& progress) {
+  return [&scene, progress](const GarmentMesh& garment, const Eigen::Matrix3Xd& start, double tolerance) {
+    return settle(garment, start, scene, tolerance, progress);
+  };
+}
+
+Adjustment adjust_pattern(const Pattern& pattern, const Target& target, const Scene& scene, const AdjustOptions& options,
+                          const DrapeSteps& progress) {
+  const MakeCuttable make_cuttable = [&](const RestShape& rest) {
+    return rest_on_outlines(redraw(pattern, target.garment, rest).pattern, target.garment, rest);
+  };
+  return adjust(target, phi(scene, progress), make_cuttable, options);
+}
+
+Verified verify(const Pattern& pattern, const Target& target, const RestShape& like, const Scene& scene, double tolerance,
+                const DrapeSteps& progress) {
+  Verified verified;
+  verified.rest = rest_on_outlines(pattern, target.garment, like);
+  verified.drape = settle(with_rest(target.garment, verified.rest), target.positions, scene, tolerance, progress);
+  verified.step = measure(target, verified.rest, verified.drape);
+  verified.report = drape_findings(verified.drape, tolerance, "re-drape");
+  return verified;
+}
+
+}  // namespace toile
