@@ -4,10 +4,12 @@
 
 #include "body/girth.h"
 #include "body/parametric_fit.h"
-#include "body/parametric_polygonise.h"
+#include "body/parametric_surface.h"
 
 namespace toile {
 namespace {
+
+constexpr int smoothing_rounds = 30;
 
 Eigen::Vector3d mirrored(const Eigen::Vector3d& p) { return {-p.x(), p.y(), p.z()}; }
 
@@ -49,7 +51,11 @@ Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& optio
     throw std::invalid_argument("edge length of a mannequin must be between 2 and 60 mm");
   const Figure figure = complete_figure(row);
   const BodyForm form(figure, fitted_scales(figure));
-  Surface surface = polygonise(form, figure, options.edge_length);
+  const Figure reference = complete_figure({});
+  Net net = lay_out_net(BodyForm(reference, {}), reference, options.edge_length);
+  net.points = laid_out_like(net, form, figure);
+  even_out(net, form, smoothing_rounds);
+  Surface surface = mirrored_surface(net);
 
   Mannequin mannequin;
   mannequin.name = row.chart + " " + row.size;

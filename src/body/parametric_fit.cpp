@@ -3,35 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "body/girth.h"
+#include "body/parametric_rays.h"
 
 namespace toile {
 namespace {
 
-constexpr int rays = 120;
-constexpr double reach = .6;  // m, beyond any trunk
+constexpr int rays = 128;
 constexpr int rounds = 10;
-
-// First way out of the solid from `from` (inside) along `direction`, no further than `limit`.
-Eigen::Vector3d way_out(const BodyForm& form, const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double limit) {
-  double inside = 0, outside = limit;
-  for (double t = 0; t < limit;) {
-    const double d = form.distance(from + t * direction);
-    if (d > 0) {
-      outside = t;
-      break;
-    }
-    inside = t;
-    t += std::clamp(-.7 * d, .002, .02);
-  }
-  for (int i = 0; i < 14; ++i) {
-    const double middle = (inside + outside) / 2;
-    (form.distance(from + middle * direction) > 0 ? outside : inside) = middle;
-  }
-  return from + (inside + outside) / 2 * direction;
-}
 
 // Height of the body's lowest point on the midplane between the legs.
 double crotch_height(const BodyForm& form, const Figure& figure) {
@@ -90,16 +70,7 @@ double tape_on_form(const BodyForm& form, const TapePlace& place) {
   const Eigen::Vector3d n = place.along.normalized();
   const Eigen::Vector3d first =
       (std::abs(n.x()) < .8 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ()).cross(n).normalized();
-  const Eigen::Vector3d second = n.cross(first);
-  SectionLoop loop;
-  for (int i = 0; i < rays; ++i) {
-    const double angle = 2 * std::numbers::pi * i / rays;
-    const Eigen::Vector3d direction = std::cos(angle) * first + std::sin(angle) * second;
-    double limit = reach;  // a limb's tape stays on its own side of the midplane
-    if (!place.trunk && place.at.x() > 1e-6 && direction.x() < 0) limit = std::min(limit, -place.at.x() / direction.x());
-    loop.push_back(way_out(form, place.at, direction, limit));
-  }
-  return loop_girth(loop, n, GirthKind::tape);
+  return loop_girth(ring(form, place.at, first, n, rays), n, GirthKind::tape);
 }
 
 FormScales fitted_scales(const Figure& figure) {

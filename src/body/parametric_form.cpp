@@ -8,7 +8,7 @@ namespace toile {
 namespace {
 
 constexpr double cm = .01;
-constexpr double leg_blend = .025, head_blend = .02, foot_blend = .02, floor_blend = .006, breast_blend = .05;
+constexpr double leg_blend = .025, arm_blend = .025, head_blend = .02, foot_blend = .02, floor_blend = .006, breast_blend = .05;
 constexpr double gap_between_thighs = .0098;  // half of it; wider than leg_blend / 4, so that thighs never grow together
 
 double scale_of(const FormScales& scales, const std::string& name) {
@@ -206,11 +206,12 @@ std::vector<Ellipsoid> breasts(const Figure& figure, const FormScales& scales, c
 
 }  // namespace
 
-double Ellipsoid::distance(const Eigen::Vector3d& at) const {
-  const Eigen::Vector3d scaled_offset = (at - centre).cwiseQuotient(half_axes);
-  const double gauge = scaled_offset.norm();
-  if (gauge < 1e-9) return -half_axes.minCoeff();
-  return (gauge - 1) * gauge / scaled_offset.cwiseQuotient(half_axes).norm();
+FormSample Ellipsoid::sample(const Eigen::Vector3d& at) const {
+  const Eigen::Vector3d offset = (at - centre).cwiseQuotient(half_axes);
+  const double gauge = offset.norm();
+  if (gauge < 1e-9) return {-half_axes.minCoeff(), Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d slope = offset.cwiseQuotient(half_axes) / gauge;
+  return {(gauge - 1) / slope.norm(), slope.normalized()};
 }
 
 BodyForm::BodyForm(const Figure& figure, const FormScales& scales)
@@ -221,42 +222,36 @@ BodyForm::BodyForm(const Figure& figure, const FormScales& scales)
       foot_(foot_loft(figure)),
       breasts_(breasts(figure, scales, trunk_)) {}
 
-double BodyForm::distance(const Eigen::Vector3d& at) const {
-  const Eigen::Vector3d left(std::abs(at.x()), at.y(), at.z());
-  double d = trunk_.distance(left);
-  for (const Ellipsoid& breast : breasts_) {
-    const double own = breast.distance(left);
-    d = smooth_min(d, smooth_min(own, breast.distance({-left.x(), left.y(), left.z()}), .02), breast_blend);
-  }
-  if (at.y() > trunk_.end() - .12 || at.y() > head_.begin() - .06) d = smooth_min(d, head_.distance(left), head_blend);
+FormSample BodyForm::sample(const Eigen::Vector3d& at) const {
+  const Eigen::Vector3d left(std::abs(at.x()), at.y(), at.z()), right(-left.x(), left.y(), left.z());
+  // A part and its mirror image, joined across the midplane.
+  const auto pair = [&](const auto& part, double blend) {
+    const FormSample own = part.sample(left);
+    if (left.x() > blend) return own;
+    FormSample other = part.sample(right);
+    other.gradient.x() = -other.gradient.x();
+    return united(own, other, blend);
+  };
+  FormSample body = trunk_.sample(left);
+  for (const Ellipsoid& breast : breasts_) body = united(body, pair(breast, .02), breast_blend);
+  if (at.y() > head_.begin() - .06) body = united(body, head_.sample(left), head_blend);
   if (at.y() < leg_.end() + .05) {
-    double leg = leg_.distance(left);
-    if (left.x() < .05) leg = smooth_min(leg, leg_.distance({-left.x(), left.y(), left.z()}), leg_blend);
-    if (at.y() < .25) leg = smooth_max(smooth_min(leg, foot_.distance(left), foot_blend), -at.y(), floor_blend);
-    d = smooth_min(d, leg, leg_blend);
+    FormSample leg = pair(leg_, leg_blend);
+    if (at.y() < .25) leg = intersected(united(leg, foot_.sample(left), foot_blend), {-at.y(), {0, -1, 0}}, floor_blend);
+    body = united(body, leg, leg_blend);
   }
-  return smooth_min(d, arm_.distance(left), arm_blend_);
-}
-
-Eigen::Vector3d BodyForm::gradient(const Eigen::Vector3d& at) const {
-  constexpr double h = 2e-4;
-  Eigen::Vector3d g;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(k);
-    g(k) = (distance(at + step) - distance(at - step)) / (2 * h);
-  }
-  return g;
+  body = united(body, arm_.sample(left), arm_blend);
+  if (at.x() < 0) body.gradient.x() = -body.gradient.x();
+  return body;
 }
 
 Eigen::Vector3d BodyForm::projected(Eigen::Vector3d at, int steps) const {
   for (int i = 0; i < steps; ++i) {
-    const Eigen::Vector3d g = gradient(at);
-    const double d = distance(at), squared = g.squaredNorm();
-    if (squared < 1e-12) break;
-    Eigen::Vector3d move = -d / squared * g;
-    if (const double far = move.norm(); far > .02) move *= .02 / far;
-    at += move;
-    if (std::abs(d) < 1e-7) break;
+    const FormSample here = sample(at);
+    const double squared = here.gradient.squaredNorm();
+    if (squared < 1e-6) break;
+    at -= std::clamp(here.distance / squared, -.02, .02) * here.gradient;
+    if (std::abs(here.distance) < 1e-7) break;
   }
   return at;
 }

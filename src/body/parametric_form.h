@@ -20,15 +20,15 @@ struct FormScales {
 
 struct Ellipsoid {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), half_axes = Eigen::Vector3d::Ones();
-  double distance(const Eigen::Vector3d& at) const;  // first order
+  FormSample sample(const Eigen::Vector3d& at) const;
 };
 
 class BodyForm {
  public:
   BodyForm(const Figure& figure, const FormScales& scales);
 
-  double distance(const Eigen::Vector3d& at) const;  // m, first order near the surface; negative inside
-  Eigen::Vector3d gradient(const Eigen::Vector3d& at) const;
+  FormSample sample(const Eigen::Vector3d& at) const;
+  double distance(const Eigen::Vector3d& at) const { return sample(at).distance; }
   // The nearest surface point along the gradient, by Newton's method; `at` must be near the surface.
   Eigen::Vector3d projected(Eigen::Vector3d at, int steps = 4) const;
 
@@ -37,7 +37,6 @@ class BodyForm {
   const Loft& arm() const { return arm_; }
 
  private:
-  double arm_blend_ = .025;
   Loft trunk_, head_, leg_, arm_, foot_;
   std::vector<Ellipsoid> breasts_;  // of the wearer's left
 };

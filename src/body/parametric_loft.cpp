@@ -105,48 +105,51 @@ Eigen::Vector3d Loft::centre(double at) const {
   return frame_.origin + s.centre_u * frame_.u + s.centre_v * frame_.v + at * frame_.along;
 }
 
-double Loft::distance(const Eigen::Vector3d& point) const {
+FormSample Loft::sample(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d offset = point - frame_.origin;
   const double t = frame_.along.dot(offset);
   Row slope;
   const Row r = row(t, &slope);
   const double du = frame_.u.dot(offset) - r(0), dv = frame_.v.dot(offset) - r(1);
-  const int side = dv >= 0 ? 3 : 4;
-  const double a = r(2), b = r(side), n = r(side + 2);
+  const double side_u = du >= 0 ? 1 : -1, side_v = dv >= 0 ? 1 : -1;
+  const int half = dv >= 0 ? 3 : 4;
+  const double a = r(2), b = r(half), n = r(half + 2);
   const double u = std::abs(du) / a, v = std::abs(dv) / b;
   double gauge = 0, by_u = 0, by_v = 0;  // (u^n + v^n)^(1/n) and its derivatives
-  if (n == 2) {
-    gauge = std::hypot(u, v);
-    if (gauge > 1e-9) by_u = u / gauge, by_v = v / gauge;
-  } else if (const double largest = std::max(u, v); largest > 1e-9) {
-    const double ratio = std::pow(std::min(u, v) / largest, n);
-    gauge = largest * std::pow(1 + ratio, 1 / n);
+  if (const double large = std::max(u, v), small = std::min(u, v); large > 1e-9) {
+    const double ratio = n == 2 ? small * small / (large * large) : std::pow(small / large, n);
+    gauge = large * (n == 2 ? std::sqrt(1 + ratio) : std::pow(1 + ratio, 1 / n));
     const double share = 1 / (1 + ratio);  // of the larger one in gauge^n
-    const double by_large = gauge * share / largest;
-    const double by_small = std::min(u, v) > 1e-9 ? gauge * (1 - share) / std::min(u, v) : 0;
+    const double by_large = gauge * share / large, by_small = small > 1e-9 ? gauge * (1 - share) / small : 0;
     by_u = u >= v ? by_large : by_small, by_v = u >= v ? by_small : by_large;
   }
-  const double by_t = by_u / a * ((du >= 0 ? -slope(0) : slope(0)) - u * slope(2)) +
-                      by_v / b * ((dv >= 0 ? -slope(1) : slope(1)) - v * slope(side));
-  double in_plane = std::hypot(by_u / a, by_v / b), along = by_t;
+  by_u *= side_u / a, by_v *= side_v / b;
+  double by_t = -by_u * (slope(0) + du / a * slope(2)) - by_v * (slope(1) + dv / b * slope(half));
   double cap = 0, by_cap = 0;
   if (first_cap_ > 0 && t < begin_ + first_cap_) cap = (begin_ + first_cap_ - t) / first_cap_, by_cap = -1 / first_cap_;
   if (last_cap_ > 0 && t > end_ - last_cap_) cap = (t - end_ + last_cap_) / last_cap_, by_cap = 1 / last_cap_;
   if (cap > 0) {
     const double whole = std::hypot(gauge, cap);
-    in_plane *= gauge / whole;
-    along = (gauge * along + cap * by_cap) / whole;
+    by_u *= gauge / whole, by_v *= gauge / whole;
+    by_t = (gauge * by_t + cap * by_cap) / whole;
     gauge = whole;
   }
-  const double steepness = std::hypot(in_plane, along);
-  return steepness > 1e-9 ? (gauge - 1) / steepness : -std::min(a, b);
+  const double steepness = std::hypot(by_u, by_v, by_t);
+  if (steepness < 1e-9) return {-std::min(a, b), Eigen::Vector3d::Zero()};
+  return {(gauge - 1) / steepness, (by_u * frame_.u + by_v * frame_.v + by_t * frame_.along) / steepness};
 }
 
-double smooth_min(double a, double b, double blend) {
-  const double overlap = std::max(blend - std::abs(a - b), 0.0) / blend;
-  return std::min(a, b) - overlap * overlap * blend / 4;
+FormSample united(const FormSample& a, const FormSample& b, double blend) {
+  const double overlap = std::max(blend - std::abs(a.distance - b.distance), 0.0) / blend;
+  const bool first = a.distance <= b.distance;
+  const FormSample &near = first ? a : b, &far = first ? b : a;
+  const double share = overlap / 2;  // of the farther one
+  return {near.distance - overlap * overlap * blend / 4, (1 - share) * near.gradient + share * far.gradient};
 }
 
-double smooth_max(double a, double b, double blend) { return -smooth_min(-a, -b, blend); }
+FormSample intersected(const FormSample& a, const FormSample& b, double blend) {
+  const FormSample both = united({-a.distance, -a.gradient}, {-b.distance, -b.gradient}, blend);
+  return {-both.distance, -both.gradient};
+}
 
 }  // namespace toile

@@ -32,6 +32,12 @@ struct LoftFrame {
   Eigen::Vector3d along = Eigen::Vector3d::UnitY();
 };
 
+// Value and direction of an implicit solid at a point.
+struct FormSample {
+  double distance = 0;                                 // m, first order: exact on the surface; negative inside
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  // of about unit length
+};
+
 // A solid: sections interpolated over the axis with monotone cubics (PCHIP), closed at both ends by half ellipsoids that
 // begin `first_cap` and `last_cap` before the end knots.
 class Loft {
@@ -39,8 +45,7 @@ class Loft {
   // At least two knots, ascending; throws std::invalid_argument otherwise.
   Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap);
 
-  // First-order signed distance, m: exact on the surface in value and direction, negative inside.
-  double distance(const Eigen::Vector3d& at) const;
+  FormSample sample(const Eigen::Vector3d& at) const;
   Section section(double at) const;
   // The point of the axis curve (through the section centres) at `at`.
   Eigen::Vector3d centre(double at) const;
@@ -58,8 +63,8 @@ class Loft {
   std::vector<Row> rows_;  // sampled evenly
 };
 
-// Polynomial smooth minimum: min(a, b) where they differ by more than `blend`, else up to blend / 4 lower. C1.
-double smooth_min(double a, double b, double blend);
-double smooth_max(double a, double b, double blend);
+// Smooth union: the nearer of both where their distances differ by more than `blend` (m), else up to blend / 4 fatter. C1.
+FormSample united(const FormSample& a, const FormSample& b, double blend);
+FormSample intersected(const FormSample& a, const FormSample& b, double blend);
 
 }  // namespace toile
