@@ -34,7 +34,7 @@ class DrawingReader {
                       "'" + head.value.substr(0, 40) + "' outside of any section", "the file is damaged; export it again");
       }
     }
-    check_end();
+    if (error_count() < most_errors) check_end();
     Loaded<Drawing> loaded;
     loaded.report = std::move(report_);
     if (loaded.report.ok()) loaded.value = std::move(drawing_);
@@ -116,20 +116,24 @@ class DrawingReader {
     open_polyline_ = false;
   }
 
+  // That the file is cut off comes first: what else is wrong follows from it.
   void check_end() {
-    if (!report_.ok()) return;
-    const std::string end = name_ + ":" + std::to_string(tags_.empty() ? 0 : tags_.back().line + 1);
-    const char* remedy = "the file is cut off; export or copy it again";
-    if (!section_.empty() && !ended_)
-      report_.error("dxf.truncated", end,
-                    "the file ends inside the " + section_ + " section that begins at line " + std::to_string(section_line_),
-                    remedy);
-    else if (!has_entities_)
-      report_.error("dxf.truncated", end, "the file has no ENTITIES section", remedy);
-    else if (!ended_)
-      report_.warn("dxf.no-eof", end, "the file has no EOF mark; all its sections are complete", "");
-    else if (!section_.empty())
-      report_.warn("dxf.no-endsec", end, "the " + section_ + " section is not ended", "");
+    const std::string end = name_ + ":" + std::to_string(tags_.back().line + 1);
+    const bool cut_off = !section_.empty() && !ended_;
+    if (cut_off || (!has_entities_ && report_.ok())) {
+      Report truncated;
+      truncated.error(
+          "dxf.truncated", end,
+          cut_off ? "the file ends inside the " + section_ + " section that begins at line " + std::to_string(section_line_)
+                  : std::string("the file has no ENTITIES section"),
+          "the file is cut off; export or copy it again");
+      truncated.append(report_);
+      report_ = std::move(truncated);
+    } else if (!ended_ && report_.ok()) {
+      report_.warn("dxf.no-eof", end, "the file has no EOF mark; all its sections are complete");
+    } else if (!section_.empty()) {
+      report_.warn("dxf.no-endsec", end, "the " + section_ + " section is not ended");
+    }
   }
 
   int error_count() const {

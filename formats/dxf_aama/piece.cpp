@@ -14,6 +14,7 @@ namespace toile::aama {
 namespace {
 
 constexpr double on_the_line = 1e-5;  // m, a vertex that does not bend the outline
+constexpr double no_edge = 1e-4;      // m, corners nearer than this have no edge between them
 
 // Drops vertices on the fold that are neither corners nor bends, so that a hem across the fold is one straight edge again.
 void smooth_fold(Points<2>& ring, std::vector<bool>& turn, const Axis& fold) {
@@ -24,6 +25,19 @@ void smooth_fold(Points<2>& ring, std::vector<bool>& turn, const Axis& fold) {
     if (nearest_on<2>(past, ring[i]).distance > on_the_line) continue;
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
     turn.erase(turn.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+// Corners drawn twice a hair apart (some programs do, where two seams are joined) are one corner.
+void join_double_corners(Points<2>& ring, std::vector<bool>& turn) {
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 3;) {
+    const std::size_t next = (i + 1) % ring.size();
+    if (turn[i] && turn[next] && (ring[next] - ring[i]).norm() < no_edge) {
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(next));
+      turn.erase(turn.begin() + static_cast<std::ptrdiff_t>(next));
+    } else {
+      ++i;
+    }
   }
 }
 
@@ -127,6 +141,7 @@ std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
   }
   TurnPoints turns = turn_points(net->sew, drawn, net->fold);
   if (net->fold) smooth_fold(net->sew, turns.turn, *net->fold);
+  join_double_corners(net->sew, turns.turn);
 
   Piece piece;
   piece.name = drawn.name;
