@@ -1,14 +1,11 @@
 #include "triangulate/fill.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
 
-#include "geometry/topology.h"
 #include "triangulate/constrained_delaunay.h"
 #include "triangulate/sizing.h"
 #include "triangulate/smooth.h"
@@ -21,8 +18,6 @@ constexpr double nearest_vertex = .7;     // of the size: a new point keeps this
 constexpr double nearest_outline = .62;   // and this far from the outline
 constexpr double tolerable_radius = .85;  // larger triangles left by the front get a point at their circumcentre
 constexpr int smoothing_rounds = 12;
-
-using Triangle = std::array<int, 3>;
 
 // Points on a grid of cells, so that the neighbours of a place are found at once.
 class PointGrid {
@@ -77,83 +72,81 @@ Eigen::Vector2d front_point(const Eigen::Vector2d& a, const Eigen::Vector2d& b, 
 class Front {
  public:
   Front(const std::vector<Eigen::Vector2d>& loop, double edge_length)
-      : corners_(static_cast<int>(loop.size())), sizing_(loop, edge_length), grid_(edge_length / 2), points_(loop) {
+      : sizing_(loop, edge_length), grid_(edge_length), mesh_(loop), points_(loop), near_(loop.size(), 0) {
     for (const Eigen::Vector2d& p : loop) grid_.add(p);
   }
 
   // Triangles on the outline first, then on those already good, until no triangle too large has a place for a point.
   void advance() {
-    while (round_of_front()) {
+    while (insert(wanted_by_front())) {
     }
-    while (round_of_circumcentres()) {
+    while (insert(wanted_at_circumcentres())) {
     }
   }
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }
-  const Sizing& sizing() const { return sizing_; }
+  const std::vector<int>& near() const { return near_; }  // for each point one that came before it, not far away
 
  private:
   struct Wanted {
     double urgency;
-    int triangle;
+    int triangle, near;
     Eigen::Vector2d place;
   };
 
-  Eigen::Vector2d at(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
+  const Eigen::Vector2d& at(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
 
-  bool round_of_front() {
-    const std::vector<Triangle> triangles = constrained_delaunay(points_, corners_);
-    const std::size_t n = triangles.size();
-    std::vector<Circle> circles(n);
-    std::vector<double> sizes(n);
-    Eigen::Matrix3Xi columns(3, static_cast<Eigen::Index>(n));
-    for (std::size_t t = 0; t < n; ++t) {
-      const auto [a, b, c] = triangles[t];
-      columns.col(static_cast<Eigen::Index>(t)) << a, b, c;
-      circles[t] = circumcircle(at(a), at(b), at(c));
-      sizes[t] = sizing_.size((at(a) + at(b) + at(c)) / 3);
-    }
-    const auto good = [&](int t) {
-      return circles[static_cast<std::size_t>(t)].radius <= good_radius * sizes[static_cast<std::size_t>(t)];
-    };
-    std::vector<std::optional<MeshEdge>> base(n);  // shortest side on the front
-    std::vector<int> base_side(n, 0);
-    for (const MeshEdge& edge : mesh_edges(columns))
-      for (int side = 0; side < 2; ++side) {
-        const int t = edge.triangle[static_cast<std::size_t>(side)], other = edge.triangle[static_cast<std::size_t>(1 - side)];
-        if (t < 0 || good(t) || (other >= 0 && !good(other))) continue;
-        auto& best = base[static_cast<std::size_t>(t)];
-        const auto length = [&](const MeshEdge& e) { return (at(e.vertex[1]) - at(e.vertex[0])).norm(); };
-        if (best && length(*best) <= length(edge)) continue;
-        best = edge;
-        base_side[static_cast<std::size_t>(t)] = side;
-      }
-    std::vector<Wanted> wanted;
-    for (std::size_t t = 0; t < n; ++t) {
-      if (!base[t]) continue;
-      int a = base[t]->vertex[0], b = base[t]->vertex[1];
-      const auto& corners = triangles[t];
-      const auto from = std::find(corners.begin(), corners.end(), a) - corners.begin();
-      if (corners[static_cast<std::size_t>((from + 1) % 3)] != b) std::swap(a, b);
-      const double size = sizing_.size((at(a) + at(b)) / 2);
-      wanted.push_back({circles[t].radius / sizes[t], static_cast<int>(t), front_point(at(a), at(b), circles[t], size)});
-    }
-    return insert(std::move(wanted), nearest_vertex, nearest_outline);
+  // Circumradius over the size wanted there.
+  double largeness(const DelaunayTriangle& t, const Circle& circle) const {
+    return circle.radius / sizing_.size((at(t.vertex[0]) + at(t.vertex[1]) + at(t.vertex[2])) / 3);
   }
 
-  bool round_of_circumcentres() {
-    const std::vector<Triangle> triangles = constrained_delaunay(points_, corners_);
+  std::vector<Wanted> wanted_by_front() {
+    const std::vector<DelaunayTriangle> triangles = mesh_.triangles();
+    std::vector<Circle> circles;
+    std::vector<double> large;
+    for (const DelaunayTriangle& t : triangles) {
+      circles.push_back(circumcircle(at(t.vertex[0]), at(t.vertex[1]), at(t.vertex[2])));
+      large.push_back(largeness(t, circles.back()));
+    }
     std::vector<Wanted> wanted;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto [a, b, c] = triangles[t];
-      const Circle circle = circumcircle(at(a), at(b), at(c));
-      const double size = sizing_.size((at(a) + at(b) + at(c)) / 3);
-      if (circle.radius > tolerable_radius * size) wanted.push_back({circle.radius / size, static_cast<int>(t), circle.centre});
+      if (large[t] <= good_radius) continue;
+      int base = -1;  // its shortest side on the front, by the corner opposite
+      double shortest = std::numeric_limits<double>::infinity();
+      for (int side = 0; side < 3; ++side) {
+        const int beyond = triangles[t].neighbour[static_cast<std::size_t>(side)];
+        if (beyond >= 0 && large[static_cast<std::size_t>(beyond)] > good_radius) continue;
+        const double length = (at(triangles[t].vertex[static_cast<std::size_t>((side + 1) % 3)]) -
+                               at(triangles[t].vertex[static_cast<std::size_t>((side + 2) % 3)]))
+                                  .norm();
+        if (length < shortest) {
+          base = side;
+          shortest = length;
+        }
+      }
+      if (base < 0) continue;
+      const int a = triangles[t].vertex[static_cast<std::size_t>((base + 1) % 3)];
+      const int b = triangles[t].vertex[static_cast<std::size_t>((base + 2) % 3)];
+      const double size = sizing_.size((at(a) + at(b)) / 2);
+      wanted.push_back({large[t], static_cast<int>(t), a, front_point(at(a), at(b), circles[t], size)});
     }
-    return insert(std::move(wanted), nearest_vertex, nearest_outline);
+    return wanted;
   }
 
-  bool insert(std::vector<Wanted> wanted, double from_vertices, double from_outline) {
+  std::vector<Wanted> wanted_at_circumcentres() {
+    const std::vector<DelaunayTriangle> triangles = mesh_.triangles();
+    std::vector<Wanted> wanted;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto [a, b, c] = triangles[t].vertex;
+      const Circle circle = circumcircle(at(a), at(b), at(c));
+      const double large = largeness(triangles[t], circle);
+      if (large > tolerable_radius) wanted.push_back({large, static_cast<int>(t), a, circle.centre});
+    }
+    return wanted;
+  }
+
+  bool insert(std::vector<Wanted> wanted) {
     std::sort(wanted.begin(), wanted.end(), [](const Wanted& x, const Wanted& y) {
       return std::pair(-x.urgency, x.triangle) < std::pair(-y.urgency, y.triangle);
     });
@@ -161,18 +154,21 @@ class Front {
     for (const Wanted& w : wanted) {
       if (!w.place.allFinite()) continue;
       const double size = sizing_.size(w.place);
-      if (grid_.any_within(w.place, from_vertices * size) || !sizing_.inside(w.place, from_outline * size)) continue;
+      if (grid_.any_within(w.place, nearest_vertex * size) || !sizing_.inside(w.place, nearest_outline * size)) continue;
       grid_.add(w.place);
+      mesh_.insert(w.place, w.near);
       points_.push_back(w.place);
+      near_.push_back(w.near);
       inserted = true;
     }
     return inserted;
   }
 
-  int corners_;
   Sizing sizing_;
   PointGrid grid_;
+  ConstrainedDelaunay mesh_;
   std::vector<Eigen::Vector2d> points_;
+  std::vector<int> near_;
 };
 
 }  // namespace
@@ -180,7 +176,7 @@ class Front {
 Filling fill(const std::vector<Eigen::Vector2d>& loop, double edge_length, double smallest_angle) {
   Front front(loop, edge_length);
   front.advance();
-  return smooth({front.points(), {}}, static_cast<int>(loop.size()), smoothing_rounds, smallest_angle);
+  return smooth(front.points(), front.near(), static_cast<int>(loop.size()), smoothing_rounds, smallest_angle);
 }
 
 }  // namespace toile

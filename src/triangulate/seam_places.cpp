@@ -33,7 +33,8 @@ SpanPlace place_of(const Pattern& pattern, const Seam& seam, const EdgeSpan& spa
   if (span.copy < 1 || span.copy > copies(*piece))
     refuse_seam("seam.unknown-copy", seam, "piece '" + span.piece + "' has no copy " + std::to_string(span.copy),
                 "It is cut " + std::to_string(copies(*piece)) + " times; copies count from 1");
-  if (!(std::min(span.begin, span.end) >= -1e-9 && std::max(span.begin, span.end) <= 1 + 1e-9))
+  const auto on_edge = [](double at) { return at >= -1e-9 && at <= 1 + 1e-9; };  // false for NaN
+  if (!on_edge(span.begin) || !on_edge(span.end))
     refuse_seam("seam.span-outside-edge", seam,
                 "the span on edge '" + span.edge + "' of piece '" + span.piece + "' leaves the edge",
                 "Give fractions of its length from 0 to 1");

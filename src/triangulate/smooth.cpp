@@ -13,12 +13,27 @@ double twice_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eige
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-void one_round(Filling& filling, int corners, double wanted_angle) {
-  filling.triangles = constrained_delaunay(filling.points, corners);
+using Triangles = std::vector<std::array<int, 3>>;
+
+// Sorted, each with its smallest vertex first.
+Triangles delaunay(const std::vector<Eigen::Vector2d>& points, const std::vector<int>& near, std::size_t corners) {
+  ConstrainedDelaunay mesh({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(corners)});
+  for (std::size_t i = corners; i < points.size(); ++i) mesh.insert(points[i], near[i]);
+  Triangles triangles;
+  for (const DelaunayTriangle& triangle : mesh.triangles()) {
+    std::array<int, 3> t = triangle.vertex;
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.push_back(t);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+void one_round(Filling& filling, std::size_t corners, double wanted_angle) {
   std::vector<std::vector<int>> around(filling.points.size());
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
     for (const int v : filling.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<int>(t));
-  for (std::size_t v = static_cast<std::size_t>(corners); v < filling.points.size(); ++v) {
+  for (std::size_t v = corners; v < filling.points.size(); ++v) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0;
     const auto worst = [&](const Eigen::Vector2d& place) {
@@ -58,9 +73,15 @@ double smallest_angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
   return least / degree;
 }
 
-Filling smooth(Filling filling, int corners, int rounds, double wanted_angle) {
-  for (int round = 0; round < rounds; ++round) one_round(filling, corners, wanted_angle);
-  filling.triangles = constrained_delaunay(filling.points, corners);
+Filling smooth(std::vector<Eigen::Vector2d> points, const std::vector<int>& near, int corners, int rounds,
+               double wanted_angle) {
+  const auto fixed = static_cast<std::size_t>(corners);
+  Filling filling{std::move(points), {}};
+  filling.triangles = delaunay(filling.points, near, fixed);
+  for (int round = 0; round < rounds; ++round) {
+    one_round(filling, fixed, wanted_angle);
+    filling.triangles = delaunay(filling.points, near, fixed);
+  }
   return filling;
 }
 

@@ -8,7 +8,7 @@ namespace toile {
 
 struct TriangulateOptions {
   double edge_length = 15e-3;  // m, aimed for along outlines and inside
-  double smallest_angle = 20;  // degrees; refinement is sure to end below 20.7
+  double smallest_angle = 20;  // degrees; smaller ones are left only where the outline forces them
 };
 
 // One mesh per copy of every piece, copies of a piece alike. Guarantees:

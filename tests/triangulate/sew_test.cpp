@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "geometry/topology.h"
+#include "triangulate/expect_code.h"
+#include "triangulate/sample_patterns.h"
+#include "triangulate/triangulate.h"
+
+namespace toile {
+namespace {
+
+GarmentMesh sewn(const Pattern& pattern, double edge_length = 15e-3) {
+  return sew(pattern, triangulate(pattern, {edge_length, 20}));
+}
+
+int euler(const GarmentMesh& garment) {
+  return garment.vertex_count - static_cast<int>(mesh_edges(garment.triangles).size()) + triangle_count(garment);
+}
+
+std::size_t holes(const GarmentMesh& garment) { return boundary_loops(garment.triangles).size(); }
+
+TEST(Sew, MakesARingOfTheGoredSkirt) {
+  for (const double h : {.06, .03, .015}) {
+    const GarmentMesh garment = sewn(gored_skirt(), h);
+    EXPECT_EQ(euler(garment), 0);
+    EXPECT_EQ(holes(garment), 2u);
+    EXPECT_NO_THROW(check(garment));
+  }
+}
+
+TEST(Sew, ClosesADart) {
+  const GarmentMesh garment = sewn(darted_panel());
+  EXPECT_EQ(euler(garment), 1);
+  EXPECT_EQ(holes(garment), 1u);
+  EXPECT_LT(garment.vertex_count, static_cast<int>(garment.panels[0].rest.cols()));
+}
+
+TEST(Sew, JoinsAMirroredPair) {
+  const GarmentMesh garment = sewn(mirrored_fronts());
+  EXPECT_EQ(euler(garment), 1);
+  EXPECT_EQ(holes(garment), 1u);
+}
+
+TEST(Sew, JoinsSidesOfDifferentLength) {
+  for (const double ratio : {1.0, 1.2, 2.6}) {
+    EXPECT_EQ(euler(sewn(eased_seam(ratio))), 1);
+    EXPECT_EQ(euler(sewn(eased_seam(1 / ratio))), 1);
+  }
+}
+
+// Two panels sewn all round stay a surface however coarse: no chord of one may fall on a chord of the other.
+TEST(Sew, MakesAClosedSurfaceOfTwoPanelsSewnAllRound) {
+  Pattern pillow;
+  Piece piece = polygon_piece("p", {{0, 0}, {.3, 0}, {.35, .2}, {.1, .3}});
+  piece.mirrored_quantity = 1;
+  pillow.pieces = {piece};
+  for (const Edge& edge : piece.outline) pillow.seams.push_back({edge.id, span("p", 1, edge.id), span("p", 2, edge.id), false});
+  for (const double h : {1., .2, .1, .05, .02}) {
+    const GarmentMesh garment = sewn(pillow, h);
+    EXPECT_EQ(euler(garment), 2) << h;
+    EXPECT_TRUE(defects_of_closed_surface(garment.triangles).empty()) << h;
+  }
+}
+
+TEST(Sew, RollsAStripIntoARing) {
+  Pattern cuff;
+  cuff.pieces = {rectangle("cuff", .2, .06)};
+  cuff.seams = {{"close", span("cuff", 1, "right"), span("cuff", 1, "left", 1, 0), false}};
+  for (const double h : {.5, .1, .015}) {
+    EXPECT_EQ(euler(sewn(cuff, h)), 0) << h;
+    EXPECT_EQ(holes(sewn(cuff, h)), 2u) << h;
+  }
+}
+
+TEST(Sew, FoldsAnEdgeOntoItself) {
+  Pattern pattern;
+  pattern.pieces = {rectangle("pocket", .2, .15)};
+  pattern.seams = {{"top", span("pocket", 1, "top", 0, .5), span("pocket", 1, "top", 1, .5), false}};
+  const GarmentMesh garment = sewn(pattern);
+  EXPECT_EQ(euler(garment), 1);
+  EXPECT_EQ(holes(garment), 1u);
+}
+
+TEST(Sew, LeavesWhatIsNotSewnOpen) {
+  Pattern skirt = gored_skirt();
+  std::erase_if(skirt.seams, [](const Seam& seam) { return seam.name == "band" || seam.name == "side 8"; });
+  const GarmentMesh garment = sewn(skirt);
+  EXPECT_EQ(euler(garment), 1);
+  EXPECT_EQ(holes(garment), 1u);
+}
+
+TEST(Sew, WeldsVerticesAtTheSameFraction) {
+  const Pattern skirt = gored_skirt();
+  const GarmentMesh garment = sewn(skirt);
+  std::vector<double> right(static_cast<std::size_t>(garment.vertex_count), -1);
+  for (const BoundaryVertex& v : garment.panels[0].boundary)
+    if (v.edge == 1) right[static_cast<std::size_t>(garment.welded[0](v.vertex))] = v.at;
+  int met = 0;
+  for (const BoundaryVertex& v : garment.panels[1].boundary) {
+    const double at = right[static_cast<std::size_t>(garment.welded[1](v.vertex))];
+    if (v.edge != 3 || at < 0) continue;
+    EXPECT_NEAR(at, 1 - v.at, 1e-12);
+    ++met;
+  }
+  EXPECT_GE(met, 39);
+}
+
+TEST(Sew, KeepsTheRightSideOut) {
+  for (const Pattern& pattern : {gored_skirt(), darted_panel(), mirrored_fronts()}) {
+    const GarmentMesh garment = sewn(pattern);
+    EXPECT_NO_THROW(boundary_loops(garment.triangles));  // refuses triangles that face opposite ways
+  }
+}
+
+TEST(Sew, RefusesATwistedSeamUnlessItIsMeant) {
+  Pattern pattern = eased_seam(1);
+  std::swap(pattern.seams[0].b.begin, pattern.seams[0].b.end);
+  EXPECT_EQ(refusal([&] { sewn(pattern); }).code, "seam.twisted");
+  pattern.seams[0].right_to_wrong = true;
+  EXPECT_EQ(euler(sewn(pattern)), 1);
+
+  Pattern fronts = mirrored_fronts();
+  std::swap(fronts.seams[0].a.begin, fronts.seams[0].a.end);
+  EXPECT_EQ(refusal([&] { sewn(fronts); }).code, "seam.twisted");
+}
+
+TEST(Sew, RefusesAThirdLayer) {
+  Pattern pattern;
+  Piece strip = rectangle("strip", .2, .1);
+  strip.quantity = 3;
+  pattern.pieces = {strip};
+  pattern.seams = {{"1", span("strip", 1, "top"), span("strip", 2, "bottom", 1, 0), false},
+                   {"2", span("strip", 3, "top"), span("strip", 2, "bottom", 1, 0), false}};
+  EXPECT_EQ(refusal([&] { sewn(pattern); }).code, "seam.overlap");
+  // Without a doubled edge, but closed upon itself so that three panels share one line.
+  pattern.seams = {{"1", span("strip", 1, "top"), span("strip", 2, "bottom", 1, 0), false},
+                   {"2", span("strip", 2, "top", 1, 0), span("strip", 3, "bottom"), false},
+                   {"3", span("strip", 1, "bottom", 1, 0), span("strip", 3, "top"), false}};
+  EXPECT_EQ(euler(sewn(pattern)), 0);
+}
+
+TEST(Sew, RefusesPanelsOfAnotherPattern) {
+  EXPECT_THROW(sew(gored_skirt(), triangulate(darted_panel())), std::invalid_argument);
+  Pattern shorter = eased_seam(1);
+  shorter.seams[0].a.end = .5;
+  EXPECT_THROW(sew(shorter, triangulate(eased_seam(1))), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace toile
