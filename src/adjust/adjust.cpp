@@ -94,7 +94,9 @@ class Adjuster {
       result.flattened = rest;
       result.flattened_drape = drape;
     }
-    improved = first || (at_rest != best_at_rest_ ? at_rest : step.hausdorff < best().hausdorff);
+    improved = first || (at_rest != best_at_rest_ ? at_rest
+                                                  : step.hausdorff < best().hausdorff ||
+                                                        (result.best == 0 && step.hausdorff <= options_.agreed_hausdorff));
     gained = improved && (first || at_rest != best_at_rest_ || step.hausdorff < options_.stalled_ratio * best().hausdorff);
     if (improved) {
       result.best = static_cast<int>(result.steps.size()) - 1;

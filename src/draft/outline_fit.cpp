@@ -141,8 +141,13 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
   const std::vector<Junction> junctions = smooth_junctions(model.models, model.unknowns);
   const std::vector<Truing> seams = truings(original);
   const Eigen::VectorXd drawn = model.unknowns;
-  std::map<int, double> panels_of_shape;
-  for (const PanelOutline& panel : panels) panels_of_shape[model.lay(panel.piece).shape] += 1;
+  std::map<int, int> panels_of_shape;
+  for (const PanelOutline& panel : panels) ++panels_of_shape[model.lay(panel.piece).shape];
+
+  const auto weight_of = [&](std::size_t shape) -> double {
+    const auto found = panels_of_shape.find(static_cast<int>(shape));
+    return found == panels_of_shape.end() ? 1 : found->second;
+  };
 
   const auto linearise = [&](bool true_seams) {
     Linearised system;
@@ -150,8 +155,7 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
     for (const PanelOutline& panel : panels) {
       const Lay& lay = model.lay(panel.piece);
       for (const PanelOutline::Sample& sample : panel.samples)
-        system.add(model.on_edge(panel.piece, sample.edge, sample.at), lay.to_shape(sample.point),
-                   sample.weight / panels_of_shape[lay.shape]);
+        system.add(model.on_edge(panel.piece, sample.edge, sample.at), lay.to_shape(sample.point), sample.weight);
     }
     for (const Junction& junction : junctions) {
       const ShapeModel& shape = model.models[junction.model];
@@ -159,7 +163,7 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
       const std::size_t k = static_cast<std::size_t>(junction.corner), count = shape.corners.size();
       const double lengths = shape.shape.sides.runs[k].length + shape.shape.sides.runs[(k + count - 1) % count].length;
       system.add(turn.slopes, std::remainder(turn.value - junction.turn, 2 * std::numbers::pi),
-                 lengths * smooth_lever * smooth_lever);
+                 weight_of(junction.model) * lengths * smooth_lever * smooth_lever);
     }
     for (std::size_t m = 0; m < model.models.size(); ++m)  // a shape no panel speaks for stays as drawn
       if (panels_of_shape.count(static_cast<int>(m)) == 0)
