@@ -43,6 +43,15 @@ std::vector<Eigen::Matrix2d> rest_triangles(const GarmentMesh& garment) {
   return shapes;
 }
 
+Eigen::VectorXd triangle_layers(const GarmentMesh& garment) {
+  Eigen::VectorXd layers = Eigen::VectorXd::Ones(garment.triangles.cols());
+  const std::vector<int> offsets = triangle_offsets(garment);
+  for (std::size_t p = 0; p < garment.panels.size(); ++p)
+    if (garment.panels[p].layers.size() > 0)
+      layers.segment(offsets[p], garment.panels[p].layers.size()) = garment.panels[p].layers;
+  return layers;
+}
+
 Eigen::VectorXd vertex_areas(const GarmentMesh& garment) {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(garment.vertex_count);
   const auto shapes = rest_triangles(garment);
@@ -60,6 +69,7 @@ void check(const GarmentMesh& garment) {
     const PanelMesh& panel = garment.panels[p];
     const auto fail = [&](const char* what) { throw std::invalid_argument("check: panel '" + panel.name + "': " + what); };
     if (garment.welded[p].size() != panel.rest.cols()) fail("weld list has the wrong length");
+    if (panel.layers.size() != 0 && panel.layers.size() != panel.triangles.cols()) fail("layers are not one a triangle");
     if (!panel.rest.allFinite()) fail("rest positions are not finite");
     if ((garment.welded[p].array() < 0).any() || (garment.welded[p].array() >= garment.vertex_count).any())
       fail("weld list names a vertex that does not exist");

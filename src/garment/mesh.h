@@ -28,6 +28,8 @@ struct PanelMesh {
   Eigen::Matrix3Xi triangles;            // counter-clockwise
   std::vector<BoundaryVertex> boundary;  // the whole loop in outline order (reversed outline order for mirrored copies)
   Eigen::Vector2d warp = Eigen::Vector2d::UnitY();  // unit grain direction in `rest`
+  Eigen::VectorXd
+      layers;  // by triangle: layers of cloth, 2 where a hem is turned up, between at its edge; empty: one everywhere
   bool operator==(const PanelMesh&) const = default;
 };
 
@@ -51,6 +53,8 @@ int triangle_count(const GarmentMesh&);
 std::vector<int> triangle_offsets(const GarmentMesh&);
 // The 2x2 matrix [b - a, c - a] of every garment triangle's rest shape, in triangle order.
 std::vector<Eigen::Matrix2d> rest_triangles(const GarmentMesh&);
+// Layers of cloth of every garment triangle.
+Eigen::VectorXd triangle_layers(const GarmentMesh&);
 // Rest area by garment vertex (a third of each incident triangle), m^2.
 Eigen::VectorXd vertex_areas(const GarmentMesh&);
 

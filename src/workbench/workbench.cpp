@@ -3,7 +3,9 @@
 #include <cstdio>
 
 #include "drape/dress.h"
+#include "edit/loops.h"
 #include "garment/units.h"
+#include "triangulate/hems.h"
 #include "triangulate/triangulate.h"
 
 namespace toile {
@@ -18,14 +20,34 @@ std::string scientific(double value) {
   return text;
 }
 
-Drape settle(const GarmentMesh& garment, const Eigen::Matrix3Xd& start, const Scene& scene, double tolerance,
-             const DrapeSteps& progress) {
-  return scene.simulator.drape({.garment = garment,
-                                .start = start,
-                                .body = scene.body,
-                                .fabric = scene.fabric,
-                                .tolerance = tolerance,
-                                .progress = progress});
+bool has_hem(const Pattern& pattern) {
+  for (const Piece& piece : pattern.pieces)
+    for (const Edge& edge : piece.outline)
+      if (edge.hem) return true;
+  return false;
+}
+
+// Marks the edges that the edit loop "hem" runs along.
+void mark_hems(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Body& body, Pattern& pattern) {
+  std::vector<char> on_hem(static_cast<std::size_t>(garment.vertex_count), 0);
+  try {
+    for (const VertexLoop& loop : resolve_loops({pattern, garment, positions, body}, "hem", "hem").loops)
+      for (const int v : loop) on_hem[static_cast<std::size_t>(v)] = 1;
+  } catch (const BadInput&) {
+    return;  // no lowest opening: a garment without a hem
+  }
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const PanelMesh& panel = garment.panels[p];
+    const auto hem_at = [&](std::size_t i) {
+      return on_hem[static_cast<std::size_t>(garment.welded[p](panel.boundary[i].vertex))];
+    };
+    for (std::size_t i = 0; i < panel.boundary.size(); ++i) {
+      const std::size_t next = (i + 1) % panel.boundary.size();
+      const int edge = panel.boundary[panel.mirrored ? next : i].edge;
+      if (hem_at(i) && hem_at(next))
+        pattern.pieces[static_cast<std::size_t>(panel.piece)].outline[static_cast<std::size_t>(edge)].hem = true;
+    }
+  }
 }
 
 }  // namespace
@@ -33,8 +55,10 @@ Drape settle(const GarmentMesh& garment, const Eigen::Matrix3Xd& start, const Sc
 Report drape_findings(const Drape& drape, double tolerance, const std::string& what) {
   Report report;
   if (!drape.settled)
-    report.error("drape.not-settled", what, "did not come to rest: residual " + scientific(drape.residual) + " of " + scientific(tolerance),
-                 "Its measures are those of the best state found; a stiffer fabric or a looser tolerance settles", Fault::not_converged);
+    report.error("drape.not-settled", what,
+                 "did not come to rest: residual " + scientific(drape.residual) + " of " + scientific(tolerance),
+                 "Its measures are those of the best state found; a stiffer fabric or a looser tolerance settles",
+                 Fault::not_converged);
   if (drape.max_penetration > penetration_limit)
     report.error("drape.penetrates", what, "the cloth is " + in_mm(drape.max_penetration) + " inside the body",
                  "Use a smaller edge length, or check that the garment is wide enough for the body", Fault::checks_failed);
@@ -47,25 +71,38 @@ Report drape_findings(const Drape& drape, double tolerance, const std::string& w
   return report;
 }
 
+Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeSteps& progress) {
+  return [&pattern, &scene, progress](const GarmentMesh& garment, const Eigen::Matrix3Xd& start, double tolerance) {
+    return scene.simulator.drape({.garment = with_hems(pattern, garment, scene.hem),
+                                  .start = start,
+                                  .body = scene.body,
+                                  .fabric = scene.fabric,
+                                  .tolerance = tolerance,
+                                  .progress = progress});
+  };
+}
+
 Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeSteps& progress) {
   Worn worn;
+  worn.pattern = pattern;
   worn.garment = sew(pattern, triangulate(pattern, {.edge_length = edge_length}));
   Dressed dressed = dress(pattern, worn.garment, scene.body);
   worn.seam_gap = dressed.seam_gap;
   worn.report = std::move(dressed.report);
-  worn.drape = settle(worn.garment, dressed.positions, scene, tolerance, progress);
+  if (!has_hem(pattern)) mark_hems(worn.garment, dressed.positions, scene.body, worn.pattern);
+  worn.drape = phi(worn.pattern, scene, progress)(worn.garment, dressed.positions, tolerance);
   worn.report.append(drape_findings(worn.drape, tolerance, "source drape"));
   return worn;
 }
 
-Target edit(const Pattern& pattern, const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
+Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
   Target target;
   target.garment = worn.garment;
   target.source = target.positions = worn.drape.positions;
   for (const Edit& step : edits) {
     try {
       const Eigen::Matrix3Xd before = target.positions;
-      Target next = find_operation(step.operation).apply({pattern, worn.garment, before, scene.body}, step.arguments);
+      Target next = find_operation(step.operation).apply({worn.pattern, worn.garment, before, scene.body}, step.arguments);
       next.report.findings.insert(next.report.findings.begin(), target.report.findings.begin(), target.report.findings.end());
       next.source = worn.drape.positions;
       target = std::move(next);
@@ -78,25 +115,19 @@ Target edit(const Pattern& pattern, const Worn& worn, const Scene& scene, const 
   return target;
 }
 
-Simulate phi(const Scene& scene, const DrapeSteps& progress) {
-  return [&scene, progress](const GarmentMesh& garment, const Eigen::Matrix3Xd& start, double tolerance) {
-    return settle(garment, start, scene, tolerance, progress);
-  };
-}
-
 Adjustment adjust_pattern(const Pattern& pattern, const Target& target, const Scene& scene, const AdjustOptions& options,
                           const DrapeSteps& progress) {
   const MakeCuttable make_cuttable = [&](const RestShape& rest) {
     return rest_on_outlines(redraw(pattern, target.garment, rest).pattern, target.garment, rest);
   };
-  return adjust(target, phi(scene, progress), make_cuttable, options);
+  return adjust(target, phi(pattern, scene, progress), make_cuttable, options);
 }
 
 Verified verify(const Pattern& pattern, const Target& target, const RestShape& like, const Scene& scene, double tolerance,
                 const DrapeSteps& progress) {
   Verified verified;
   verified.rest = rest_on_outlines(pattern, target.garment, like);
-  verified.drape = settle(with_rest(target.garment, verified.rest), target.positions, scene, tolerance, progress);
+  verified.drape = phi(pattern, scene, progress)(with_rest(target.garment, verified.rest), target.positions, tolerance);
   verified.step = measure(target, verified.rest, verified.drape);
   verified.report = drape_findings(verified.drape, tolerance, "re-drape");
   return verified;

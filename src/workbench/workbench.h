@@ -20,12 +20,14 @@ struct Scene {
   Body body;
   Fabric fabric;
   Simulator simulator;
+  double hem = 30e-3;  // m, turned up at hems whose edges have no allowance of their own
 };
 
 using DrapeSteps = std::function<void(const DrapeProgress&)>;
 
 // A pattern sewn and hanging on the body.
 struct Worn {
+  Pattern pattern;  // as given; where it marked no hem, the edges of the lowest opening are marked
   GarmentMesh garment;
   Drape drape;
   double seam_gap = 0;  // m, widest seam just before it was welded
@@ -36,10 +38,11 @@ struct Worn {
 Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeSteps& progress = {});
 
 // Every edit of the recipe in turn, on the drape. Throws BadInput with the recipe's place.
-Target edit(const Pattern& pattern, const Worn& worn, const Scene& scene, const std::vector<Edit>& edits);
+Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits);
 
-// Phi with everything but pattern and start fixed.
-Simulate phi(const Scene& scene, const DrapeSteps& progress = {});
+// Phi with everything but the rest shape and the start fixed: hems of `pattern` turned up, then the scene's simulator. Keeps
+// references to pattern and scene.
+Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeSteps& progress = {});
 
 // Pattern adjustment whose every iterate can be cut.
 Adjustment adjust_pattern(const Pattern& pattern, const Target& target, const Scene& scene, const AdjustOptions& options,

@@ -36,6 +36,7 @@ std::vector<Hinge> bending_hinges(const GarmentMesh& garment, const Fabric& fabr
       panel_of.push_back(static_cast<int>(p));
       first.push_back(static_cast<int>(t));
     }
+  const Eigen::VectorXd layers = triangle_layers(garment);
   std::vector<Hinge> hinges;
   for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
     if (edge.triangle[1] < 0) continue;
@@ -67,7 +68,8 @@ std::vector<Hinge> bending_hinges(const GarmentMesh& garment, const Fabric& fabr
       hinge.weight[2 + s] = -side.cot_from - side.cot_to;
       area += side.area;
       const double along_warp = side.across.dot(panel.warp);
-      stiffness += (fabric.bend_warp * along_warp * along_warp + fabric.bend_weft * (1 - along_warp * along_warp)) / 2;
+      stiffness += std::pow(layers(t), 3) *
+                   (fabric.bend_warp * along_warp * along_warp + fabric.bend_weft * (1 - along_warp * along_warp)) / 2;
     }
     hinge.stiffness = 3 * stiffness / area;
     hinges.push_back(hinge);

@@ -73,13 +73,14 @@ MembraneLaw membrane_law(const Fabric& fabric) {
 
 double membrane_energy(const MembraneElement& element, const MembraneLaw& law, const Eigen::Matrix3d& x) {
   const Eigen::Matrix<double, 3, 2> f = x * element.gradient.transpose();
-  return element.area * stress_at(law, f).energy;
+  return element.layers * element.area * stress_at(law, f).energy;
 }
 
 double membrane_derivatives(const MembraneElement& element, const MembraneLaw& law, const Eigen::Matrix3d& x,
                             Curvature curvature, Vector9& gradient, Matrix9* hessian) {
   const Eigen::Matrix<double, 3, 2> f = x * element.gradient.transpose();
   const Stress s = stress_at(law, f);
+  const double cloth = element.layers * element.area;
   Eigen::Matrix2d tensor;
   tensor << s.stress(0), s.stress(2), s.stress(2), s.stress(1);
 
@@ -92,16 +93,16 @@ double membrane_derivatives(const MembraneElement& element, const MembraneLaw& l
     strain.block<1, 3>(1, 3 * i) = b2 * f.col(1).transpose();
     strain.block<1, 3>(2, 3 * i) = b1 * f.col(1).transpose() + b2 * f.col(0).transpose();
   }
-  gradient.noalias() += element.area * (strain.transpose() * s.stress);
+  gradient.noalias() += cloth * (strain.transpose() * s.stress);
   if (hessian) {
-    hessian->noalias() += element.area * (strain.transpose() * s.tangent * strain);
+    hessian->noalias() += cloth * (strain.transpose() * s.tangent * strain);
     const Eigen::Matrix2d held = curvature == Curvature::full ? tensor : tension_part(tensor);
-    const Eigen::Matrix3d geometric = element.area * (element.gradient.transpose() * held * element.gradient);
+    const Eigen::Matrix3d geometric = cloth * (element.gradient.transpose() * held * element.gradient);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k) (*hessian)(3 * i + k, 3 * j + k) += geometric(i, j);
   }
-  return element.area * s.energy;
+  return cloth * s.energy;
 }
 
 }  // namespace toile::fem

@@ -15,6 +15,7 @@ using Matrix9 = Eigen::Matrix<double, 9, 9>;
 struct MembraneElement {
   std::array<int, 3> vertex{};           // garment vertices
   double area = 0;                       // m^2, rest
+  double layers = 1;                     // of cloth: the stiffness is so many times that of one
   Eigen::Matrix<double, 2, 3> gradient;  // of the three hat functions, 1/m, in (warp, weft)
 };
 

@@ -31,15 +31,19 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
   model.contact.friction = fabric.friction;
   const Eigen::VectorXd areas = vertex_areas(garment);
   model.contact_area = areas / 4;
-  model.mass = fabric.area_density * areas;
+  const Eigen::VectorXd layers = triangle_layers(garment);
   model.body = &body;
   model.hinges = bending_hinges(garment, fabric);
   const auto shapes = rest_triangles(garment);
+  model.mass = Eigen::VectorXd::Zero(garment.vertex_count);
   std::size_t t = 0;
   for (const PanelMesh& panel : garment.panels)
     for (Eigen::Index i = 0; i < panel.triangles.cols(); ++i, ++t) {
       const auto g = garment.triangles.col(static_cast<Eigen::Index>(t));
-      model.triangles.push_back(membrane_element({g(0), g(1), g(2)}, shapes[t], panel.warp));
+      MembraneElement element = membrane_element({g(0), g(1), g(2)}, shapes[t], panel.warp);
+      element.layers = layers(static_cast<Eigen::Index>(t));
+      for (int corner = 0; corner < 3; ++corner) model.mass(g(corner)) += fabric.area_density * element.layers * element.area / 3;
+      model.triangles.push_back(element);
     }
   return model;
 }
