@@ -190,7 +190,7 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
     const Linearised system = linearise(true);
     double worst = 0;
     for (const double violation : system.violations) worst = std::max(worst, std::abs(violation));
-    result.converged = worst < 1e-11 && last < 1e-9;
+    result.converged = worst < 1e-9 && last < 1e-8;
     if (result.converged) break;
     const Eigen::VectorXd step = solve(system);
     model.unknowns += step;

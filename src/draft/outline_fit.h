@@ -26,7 +26,7 @@ struct PanelOutline {
 struct FittedOutlines {
   std::vector<std::vector<Edge>> outlines;  // by piece; edges with the points they had, and more where a curve needs them
   int iterations = 0;
-  bool converged = false;  // seams true to 1e-10 m
+  bool converged = false;  // seams true to 1e-9 m
 };
 
 // Least squares over corners and bends, exact in the seams' ratios of lengths (Gauss-Newton on the constrained problem). Pieces
