@@ -77,10 +77,49 @@ void join(Edge& edge, const Edge& next) {
   edge.hem = edge.hem && next.hem;
 }
 
+// Where an edge went: into [begin, end] of the edge now called `to`.
 struct Renamed {
   std::string from, to;
-  double begin, end;  // the part of the new edge that was the old one
+  double begin, end;
 };
+
+// Turns the outline and its names so that no edge runs over the beginning.
+void begin_at_a_change_of_name(std::vector<Edge>& outline, std::vector<std::string>& names) {
+  std::size_t back = 0;
+  while (back + 1 < names.size() && names[names.size() - 1 - back] == names.front()) ++back;
+  if (back + 1 == names.size()) return;
+  std::rotate(outline.begin(), outline.end() - static_cast<std::ptrdiff_t>(back), outline.end());
+  std::rotate(names.begin(), names.end() - static_cast<std::ptrdiff_t>(back), names.end());
+}
+
+// The edges [first, last) of the outline as one, called `name`.
+Edge joined(const std::vector<Edge>& outline, std::size_t first, std::size_t last, const std::string& name,
+            std::vector<Renamed>& renamed) {
+  Edge edge = outline[first];
+  for (std::size_t k = first + 1; k < last; ++k) join(edge, outline[k]);
+  edge.id = name;
+  const double total = length(edge);
+  double sum = 0;
+  for (std::size_t k = first; k < last; ++k) {
+    const double begin = sum / total;
+    sum += length(outline[k]);
+    renamed.push_back({outline[k].id, name, begin, k + 1 == last ? 1 : sum / total});
+  }
+  return edge;
+}
+
+void rename(std::vector<Notch>& notches, const std::vector<Renamed>& renamed) {
+  for (Notch& notch : notches) {
+    const auto found = std::find_if(renamed.begin(), renamed.end(), [&](const Renamed& r) { return r.from == notch.edge; });
+    if (found == renamed.end()) continue;
+    notch.at = found->begin + notch.at * (found->end - found->begin);
+    notch.edge = found->to;
+  }
+}
+
+bool can_be_a_name(const std::string& name) {
+  return !name.empty() && name.find_first_of(".:[]\"\\") == std::string::npos && name.front() != ' ' && name.back() != ' ';
+}
 
 }  // namespace
 
@@ -128,23 +167,18 @@ void name_edges(const TomlNode& entry, Piece& piece, Sidecar& sidecar) {
                              ". The same name twice running joins two edges");
     return;
   }
-  std::rotate(piece.outline.begin(), piece.outline.begin() + static_cast<std::ptrdiff_t>(*start), piece.outline.end());
+  std::vector<Edge> drawn = piece.outline;
+  std::rotate(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(*start), drawn.end());
   for (std::size_t k = 0; k < count; ++k)
-    if ((*names)[k].empty()) (*names)[k] = piece.outline[k].id;
-  // An edge that runs over the start corner begins before it.
-  std::size_t back = 0;
-  while (back + 1 < count && (*names)[count - 1 - back] == names->front()) ++back;
-  if (back + 1 < count) {
-    std::rotate(piece.outline.begin(), piece.outline.end() - static_cast<std::ptrdiff_t>(back), piece.outline.end());
-    std::rotate(names->begin(), names->end() - static_cast<std::ptrdiff_t>(back), names->end());
-  }
+    if ((*names)[k].empty()) (*names)[k] = drawn[k].id;
+  begin_at_a_change_of_name(drawn, *names);
 
   std::vector<Edge> outline;
   std::vector<Renamed> renamed;
   std::set<std::string> used;
-  for (std::size_t k = 0; k < count;) {
-    const std::string& name = (*names)[k];
-    if (name.find_first_of(".:[]\"\\") != std::string::npos || name.front() == ' ' || name.back() == ' ') {
+  for (std::size_t first = 0, last = 0; first < count; first = last) {
+    const std::string& name = (*names)[first];
+    if (!can_be_a_name(name)) {
       sidecar.report.error("seam.edge-name", sidecar.at(*edges), "an edge cannot be named " + toml_quoted(name),
                            "Leave out points, colons, brackets, quotes and blanks at the ends");
       return;
@@ -155,35 +189,16 @@ void name_edges(const TomlNode& entry, Piece& piece, Sidecar& sidecar) {
                            "Give each its own name");
       return;
     }
-    Edge edge = piece.outline[k];
-    edge.id = name;
-    std::vector<double> lengths{length(edge)};
-    std::vector<std::string> ids{piece.outline[k].id};
-    for (++k; k < count && (*names)[k] == name; ++k) {
-      if (turning(edge, piece.outline[k]) > smooth_join)
+    for (last = first + 1; last < count && (*names)[last] == name; ++last)
+      if (turning(drawn[last - 1], drawn[last]) > smooth_join)
         sidecar.report.warn("seam.joined-corner", sidecar.at(*edges),
                             "edge '" + name + "' of piece '" + piece.name + "' has a corner inside, at " +
-                                in_mm_at(corner(piece.outline[k])) + ", which will be treated as a curve",
+                                in_mm_at(corner(drawn[last])) + ", which will be treated as a curve",
                             "Give the two runs different names to keep the corner");
-      join(edge, piece.outline[k]);
-      lengths.push_back(length(piece.outline[k]));
-      ids.push_back(piece.outline[k].id);
-    }
-    double sum = 0, total = 0;
-    for (const double l : lengths) total += l;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      renamed.push_back({ids[i], name, sum / total, (sum + lengths[i]) / total});
-      sum += lengths[i];
-    }
-    outline.push_back(std::move(edge));
+    outline.push_back(joined(drawn, first, last, name, renamed));
   }
   piece.outline = std::move(outline);
-  for (Notch& notch : piece.notches) {
-    const auto found = std::find_if(renamed.begin(), renamed.end(), [&](const Renamed& r) { return r.from == notch.edge; });
-    if (found == renamed.end()) continue;
-    notch.at = found->begin + notch.at * (found->end - found->begin);
-    notch.edge = found->to;
-  }
+  rename(piece.notches, renamed);
 }
 
 }  // namespace toile
