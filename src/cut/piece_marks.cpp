@@ -98,7 +98,7 @@ std::vector<std::string> labels_of(const Piece& piece, const std::vector<double>
   for (std::size_t e = 0; e < widths.size(); ++e) {
     if (!hems[e] && tenths(widths[e]) == usual->first) continue;
     const std::string name = hems[e] && piece.outline[e].id != "hem" ? "hem " + piece.outline[e].id : piece.outline[e].id;
-    labels.push_back("  " + name + ": " + (widths[e] > 0 ? in_both_units(widths[e]) : "none (fold)"));
+    labels.push_back("  " + name + ": " + (widths[e] > 0 ? in_both_units(widths[e]) : "none"));
   }
   return labels;
 }

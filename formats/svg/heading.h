@@ -1,0 +1,26 @@
+#pragma once
+// What stands above the pieces of a cut sheet: title, notes, test squares, legend.
+
+#include <functional>
+#include <vector>
+
+#include "formats/svg/sheet_style.h"
+#include "formats/svg/xml_text.h"
+#include "garment/cut_sheet.h"
+
+namespace toile {
+
+struct Heading {
+  double height = 0;                                  // mm
+  std::vector<std::function<void(XmlText&)>> blocks;  // each draws itself at its place
+};
+
+// `width`: of the page, mm. Blocks stand side by side and go on below where the page is too narrow.
+Heading heading_of(const CutSheet& sheet, const SheetStyle& style, double width);
+
+// Attributes of a line: fill none, stroke, width, dash.
+XmlText& drawn(XmlText& xml, const LineStyle& line);
+// Attributes of text of `size` mm.
+XmlText& lettered(XmlText& xml, const SheetStyle& style, double size);
+
+}  // namespace toile
