@@ -1,5 +1,6 @@
 #include "body/parametric.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "body/girth.h"
@@ -44,30 +45,47 @@ std::vector<Bone> skeleton(const Figure& f) {
   return bones;
 }
 
+std::map<std::string, double> taped(const Surface& surface, const Figure& figure) {
+  std::map<std::string, double> girths;
+  for (const auto& [name, place] : tape_places(figure))
+    girths[name] = place.trunk ? trunk_girth(surface.positions, surface.triangles, place.at.y())
+                               : limb_girth(surface.positions, surface.triangles, place.at, place.along);
+  return girths;
+}
+
+// Flat triangles cut the corners of the form, so the form is fitted once more, to what the first surface lacked.
+Surface fitted_surface(const Figure& figure, Net& net) {
+  Figure aim = figure;
+  {
+    const BodyForm form(aim, fitted_scales(aim));
+    net.points = laid_out_like(net, form, aim);
+    even_out(net, form, smoothing_rounds);
+  }
+  for (const auto& [name, girth] : taped(mirrored_surface(net), figure))
+    aim.girths[name] += std::clamp(figure.girths.at(name) - girth, -.01, .01);
+  even_out(net, BodyForm(aim, fitted_scales(aim)), 4);
+  return mirrored_surface(net);
+}
+
 }  // namespace
 
 Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& options) {
   if (!(options.edge_length > 2e-3 && options.edge_length < .06))
     throw std::invalid_argument("edge length of a mannequin must be between 2 and 60 mm");
   const Figure figure = complete_figure(row);
-  const BodyForm form(figure, fitted_scales(figure));
   const Figure reference = complete_figure({});
   Net net = lay_out_net(BodyForm(reference, {}), reference, options.edge_length);
-  net.points = laid_out_like(net, form, figure);
-  even_out(net, form, smoothing_rounds);
-  Surface surface = mirrored_surface(net);
+  const Surface surface = fitted_surface(figure, net);
 
   Mannequin mannequin;
   mannequin.name = row.chart + " " + row.size;
-  mannequin.positions = std::move(surface.positions);
-  mannequin.triangles = std::move(surface.triangles);
+  mannequin.positions = surface.positions;
+  mannequin.triangles = surface.triangles;
   mannequin.bones = skeleton(figure);
   mannequin.height = row.height;
   mannequin.landmarks = figure.levels;
   mannequin.landmarks["height"] = row.height;
-  for (const auto& [name, place] : tape_places(figure))
-    mannequin.measures[name] = place.trunk ? trunk_girth(mannequin.positions, mannequin.triangles, place.at.y())
-                                           : limb_girth(mannequin.positions, mannequin.triangles, place.at, place.along);
+  mannequin.measures = taped(surface, figure);
   mannequin.measures["height"] = row.height;
   mannequin.measures["inside_leg"] = figure.levels.at("crotch");
   mannequin.measures["nape_to_waist"] = figure.levels.at("nape") - figure.levels.at("waist");

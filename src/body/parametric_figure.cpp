@@ -20,7 +20,7 @@ struct TrunkSample {
 struct BodySample {
   double height, bust, hip;  // cm
   TrunkSample hip_section, seat, high_hip, waist, ribs, underbust, bust_section, armpit;
-  double shoulder_x;
+  double shoulder_x, cage_half_width;
   std::array<double, 7> arm;  // girths at upper_arm_root, upper_arm, above_elbow, elbow, forearm, low_forearm, wrist
   std::array<double, 8> leg;  // thigh, mid_thigh, above_knee, knee, below_knee, calf, low_calf, ankle
 };
@@ -41,6 +41,7 @@ constexpr std::array<BodySample, 3> women = {{
      {80.0, .764, 2.3, 12.7, 6.8, 5.00, 2.86},
      {77.0, .598, 2.7, 9.4, 7.9, 2.74, 2.39},
      15.25,
+     12.7,
      {26.6, 25.0, 22.3, 20.6, 20.3, 16.5, 15.0},
      {50.0, 43.0, 35.5, 32.2, 31.7, 33.0, 26.6, 17.1}},
     {168.0,
@@ -55,6 +56,7 @@ constexpr std::array<BodySample, 3> women = {{
      {88.0, .754, 2.6, 13.7, 7.7, 4.46, 2.91},
      {88.7, .543, 2.5, 10.6, 8.6, 2.29, 2.17},
      16.25,
+     14.1,
      {28.7, 28.0, 24.5, 21.6, 21.3, 17.4, 16.0},
      {56.0, 49.7, 38.1, 34.2, 33.8, 35.5, 28.1, 17.7}},
     {167.5,
@@ -69,6 +71,7 @@ constexpr std::array<BodySample, 3> women = {{
      {110.0, .812, 0.5, 19.5, 8.3, 5.00, 2.86},
      {102.9, .638, 1.4, 14.1, 9.8, 2.81, 2.52},
      17.25,
+     17.0,
      {34.0, 35.4, 28.3, 22.9, 22.6, 18.5, 17.6},
      {66.5, 54.2, 40.2, 35.7, 37.8, 41.0, 29.9, 18.0}},
 }};
@@ -85,6 +88,7 @@ constexpr BodySample man = {177,
                             {100.0, .680, 2.3, 12.8, 11.3, 2.77, 3.04},
                             {104.3, .629, 2.4, 11.9, 12.1, 2.90, 2.75},
                             19.25,
+                            17.7,
                             {33.6, 31.2, 28.3, 25.9, 26.0, 21.3, 17.5},
                             {58.1, 49.0, 38.7, 35.9, 36.9, 38.0, 30.7, 22.3}};
 
@@ -208,12 +212,14 @@ void shape_sections(Figure& figure) {
   trunk("hip", &BodySample::hip_section), trunk("seat", &BodySample::seat), trunk("high_hip", &BodySample::high_hip);
   trunk("waist", &BodySample::waist), trunk("ribs", &BodySample::ribs), trunk("underbust", &BodySample::underbust);
   if (female) {
-    // The rib cage under the breasts; half axes of women 38 against her underbust.
-    const double factor = figure.girths.at("underbust") / (74.5 * cm);
-    Section cage{0, 0, 14.1 * cm, 8.8 * cm, 9.8 * cm, 2.2, 2.8};
-    cage = scaled(cage, factor);
+    // The rib cage under the breasts: as wide as the bust line, as deep as below the breasts.
+    const double width_share = interpolated(
+        female, figure.girths.at("bust") / height, [](const BodySample& b) { return b.bust / b.height; },
+        [](const BodySample& b) { return b.cage_half_width / b.bust; });
     const Section& below = figure.sections["underbust"];
-    cage.centre_v = below.centre_v + (below.front - below.back) / 2 - .0090 * height - (cage.front - cage.back) / 2;
+    const double depth = below.front + below.back, back = below.centre_v - below.back - .0083 * height;
+    const double half_width = width_share * std::min(figure.girths.at("bust"), 1.3 * figure.girths.at("underbust"));
+    const Section cage{0, back + .527 * depth, half_width, .473 * depth, .527 * depth, 2.2, 2.8};
     figure.sections["bust"] = cage;
   } else {
     trunk("bust", &BodySample::bust_section);
@@ -232,8 +238,12 @@ void place_joints(Figure& figure) {
   const double height = figure.height;
   const auto bust_key = [](const BodySample& b) { return b.bust / b.height; };
   const auto& y = figure.levels;
-  const double shoulder_x = height * interpolated(female, figure.girths["bust"] / height, bust_key,
-                                                  [](const BodySample& b) { return b.shoulder_x / b.height; });
+  double shoulder_x = height * interpolated(female, figure.girths["bust"] / height, bust_key,
+                                            [](const BodySample& b) { return b.shoulder_x / b.height; });
+  // An arm 45 degrees down must leave the trunk above the bust line, so heavy arms on a wide rib cage move out.
+  const double arm_radius = figure.girths["upper_arm_root"] / 6.283;
+  const double pit = y.at("shoulder") + shoulder_x - figure.sections["bust"].half_width - std::sqrt(2.) * arm_radius - .006;
+  shoulder_x += std::max(0., y.at("bust") + .022 * height - pit);
   figure.shoulder = {shoulder_x, y.at("shoulder"), (female ? .0127 : .0103) * height};
   const double upper_arm = (female ? .1414 : .1455) * height, forearm = (female ? .1262 : .1521) * height;
   figure.elbow = figure.shoulder + upper_arm * std::sqrt(.5) * Eigen::Vector3d(1, -1, 0);
@@ -246,12 +256,16 @@ void place_joints(Figure& figure) {
   figure.toe = figure.ankle + Eigen::Vector3d(.014 * height, -.0275 * height, .112 * height);
   figure.neck_base = {0, (female ? .851 : .858) * height, (female ? -.0008 : .0067) * height};
   figure.head_joint = {0, (female ? .9149 : .9136) * height, (female ? .0249 : .0275) * height};
-  const auto depth = [](const BodySample& b) { return (b.armpit.front + b.armpit.back) / b.height; };
-  const double own_depth = interpolated(female, figure.girths["bust"] / height, bust_key, depth);
   const BodySample& reference = women[1];
   figure.shoulder_factor = shoulder_x / height / (reference.shoulder_x / reference.height);
   figure.neck_factor = figure.girths["neck"] / height / (33.5 / reference.height);
-  figure.depth_factor = own_depth / depth(reference);
+  const auto chest = [&](auto reach) {
+    return height * (interpolated(female, figure.girths["bust"] / height, bust_key,
+                                  [&](const BodySample& b) { return reach(b) / b.height; }) -
+                     reach(reference) / reference.height);
+  };
+  figure.chest_front = chest([](const BodySample& b) { return b.armpit.centre + b.armpit.front; });
+  figure.chest_back = chest([](const BodySample& b) { return b.armpit.centre - b.armpit.back; });
 }
 
 void check_row(const SizeChartRow& row) {

@@ -21,8 +21,9 @@ struct Figure {
   Eigen::Vector3d shoulder, elbow, wrist, fingertip;  // wearer's left
   Eigen::Vector3d hip_joint, knee, ankle, toe;
   Eigen::Vector3d neck_base, head_joint;
-  double bust_point_distance = 0;                                 // between the two bust points
-  double shoulder_factor = 1, neck_factor = 1, depth_factor = 1;  // upper trunk against that of women 38 at equal stature
+  double bust_point_distance = 0;               // between the two bust points
+  double shoulder_factor = 1, neck_factor = 1;  // widths against women 38 of equal stature
+  double chest_front = 0, chest_back = 0;       // how far the chest at the armpits lies before that of women 38, m
 };
 
 // Throws BadInput ("chart.implausible") when the row is no body: girths not ordered or far outside human proportions.

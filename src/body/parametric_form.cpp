@@ -34,14 +34,13 @@ Loft trunk_loft(const Figure& figure, const FormScales& scales) {
   const auto at_level = [&](const char* name) { knots.push_back({y.at(name), section_of(figure, scales, name)}); };
   // Below the waist the legs carry hips and seat; the trunk fills the middle and stays behind them.
   const Section hip = section_of(figure, scales, "hip");
-  Section core = between(front_of(hip) - .06 * (hip.front + hip.back), back_of(hip) + .17 * (hip.front + hip.back),
-                         .93 * hip.half_width, 2.3);
-  Section floor = between(front_of(hip) - .12 * (hip.front + hip.back), back_of(hip) + .22 * (hip.front + hip.back),
-                          .62 * hip.half_width, 2);
+  const double depth = hip.front + hip.back;
+  const Section core = between(front_of(hip) - .045 * depth, back_of(hip) + .14 * depth, .95 * hip.half_width, 2.4);
+  const Section floor = between(front_of(hip) - .11 * depth, back_of(hip) + .22 * depth, .62 * hip.half_width, 2);
   knots.push_back({y.at("crotch") - scales.crotch_drop, floor});
   knots.push_back({y.at("hip"), core});
   Section seat = section_of(figure, scales, "seat");
-  seat.centre_v += .035 * (seat.front + seat.back), seat.back -= .07 * (seat.front + seat.back);
+  seat.centre_v += .02 * (seat.front + seat.back), seat.back -= .04 * (seat.front + seat.back);
   knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), seat});
   for (const char* name : {"high_hip", "waist", "ribs", "underbust", "bust"}) at_level(name);
 
@@ -56,21 +55,20 @@ Loft trunk_loft(const Figure& figure, const FormScales& scales) {
   const double tall = figure.height / 1.68, neck = figure.neck_factor * scale_of(scales, "neck");
   for (const Row& row : upper) {
     const double wide = figure.shoulder_factor + row.neck * (neck - figure.shoulder_factor);
-    const double fade = std::clamp((row.y - 127.7) / (139.5 - 127.7), 0.0, 1.0);
-    const double chest = 1 + (1 - fade) * (figure.depth_factor - 1) + fade * .5 * (figure.depth_factor - 1);
-    const double deep = chest + row.neck * (neck - chest);
+    const double chest = std::clamp((142.5 - row.y) / (142.5 - 127.7), 0.0, 1.0), deep = 1 + row.neck * (neck - 1);
     Section s{0,
               row.centre * cm * tall,
               row.half_width * cm * tall * wide,
-              row.front * cm * tall,
-              row.back * cm * tall,
+              row.front * cm * tall * deep,
+              row.back * cm * tall * deep,
               row.exponent,
               row.exponent};
-    s.centre_v += (1 - deep) * (s.front - s.back) / 2;
-    s.front *= deep, s.back *= deep;
+    s.centre_v += (1 - deep) * (row.front - row.back) / 2 * cm * tall;
+    const double forward = chest * figure.chest_front, backward = -chest * figure.chest_back;
+    s.centre_v += (forward - backward) / 2, s.front += (forward + backward) / 2, s.back += (forward + backward) / 2;
     knots.push_back({row.y * cm * tall, s});
   }
-  return Loft({}, knots, .8 * (y.at("hip") - y.at("crotch")) + scales.crotch_drop, .04 * tall);
+  return Loft({}, knots, .8 * (y.at("hip") - y.at("crotch")) + scales.crotch_drop, .04 * tall, .010 * tall);
 }
 
 Loft head_loft(const Figure& figure) {
@@ -117,16 +115,19 @@ Loft leg_loft(const Figure& figure, const FormScales& scales) {
   thigh.centre_u = thigh.half_width + gap_between_thighs, thigh.centre_v = (f ? .0267 : .0141) * tall;
   knots.push_back({y.at("crotch") - drop, thigh});
   const Section hip = section_of(figure, scales, "hip"), seat = section_of(figure, scales, "seat");
-  Section upper = between(front_of(hip) - .01 * (hip.front + hip.back), back_of(hip), .485 * hip.half_width, 2.15);
+  const double depth = hip.front + hip.back, seat_depth = seat.front + seat.back;
+  Section upper = between(front_of(hip) - .01 * depth, back_of(hip), .48 * hip.half_width, 2.1);
   upper.centre_u = hip.half_width - upper.half_width;
   knots.push_back({y.at("hip"), upper});
-  Section top = between(front_of(seat) - .10 * (seat.front + seat.back), back_of(seat), .45 * seat.half_width, 2);
-  top.centre_u = .50 * seat.half_width;
+  Section top = between(front_of(seat) - .07 * seat_depth, back_of(seat), .45 * seat.half_width, 2);
+  top.centre_u = .51 * seat.half_width;
   knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), top});
-  top = between(front_of(seat) - .2 * (seat.front + seat.back), back_of(seat) + .01, .42 * seat.half_width, 2);
-  top.centre_u = .48 * seat.half_width;
+  const Section high = section_of(figure, scales, "high_hip");
+  const double high_depth = high.front + high.back;
+  top = between(front_of(high) - .25 * high_depth, back_of(high) + .03 * high_depth, .40 * high.half_width, 2);
+  top.centre_u = .48 * high.half_width;
   knots.push_back({y.at("high_hip"), top});
-  return Loft({}, knots, 0, y.at("high_hip") - std::max(y.at("seat"), y.at("hip") + .012));
+  return Loft({}, knots, 0, .5 * (y.at("high_hip") - y.at("seat")), .007 * tall);
 }
 
 Loft arm_loft(const Figure& figure, const FormScales& scales) {
@@ -148,8 +149,10 @@ Loft arm_loft(const Figure& figure, const FormScales& scales) {
   };
   const double tall = figure.height;
   Section root = section_of(figure, scales, "upper_arm_root");
-  place(figure.shoulder - .035 * frame.along, scaled(root, 1.02));
-  place(figure.shoulder + .006 * tall * frame.along, scaled(root, 1.08));
+  // Heavy arms hang below the shoulder point instead of standing above it.
+  const Eigen::Vector3d sag = -.7 * std::max(0., root.half_width - .0255 * tall) * frame.u;
+  place(figure.shoulder - .035 * frame.along + sag, scaled(root, 1.02));
+  place(figure.shoulder + .006 * tall * frame.along + sag, scaled(root, 1.06));
   on(figure.shoulder, figure.elbow, .30, "upper_arm_root");
   on(figure.shoulder, figure.elbow, .55, "upper_arm");
   on(figure.shoulder, figure.elbow, .85, "above_elbow");
@@ -162,11 +165,11 @@ Loft arm_loft(const Figure& figure, const FormScales& scales) {
     Section s{0, 0, half_thick * hand, half_wide * hand, half_wide * hand, 2.3, 2.3};
     place(figure.wrist + t * (figure.fingertip - figure.wrist), s);
   };
-  palm(.22, .098, .205);
-  palm(.42, .088, .235);
-  palm(.62, .072, .215);
-  palm(1.0, .050, .150);
-  return Loft(frame, knots, .045, .18 * hand);
+  palm(.22, .100, .205);
+  palm(.42, .090, .232);
+  palm(.60, .074, .215);
+  palm(1.0, .056, .165);
+  return Loft(frame, knots, .045, .40 * hand, .004 * tall);
 }
 
 Loft foot_loft(const Figure& figure) {

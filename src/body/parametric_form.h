@@ -35,6 +35,7 @@ class BodyForm {
   const Loft& trunk() const { return trunk_; }
   const Loft& leg() const { return leg_; }
   const Loft& arm() const { return arm_; }
+  const Loft& foot() const { return foot_; }
 
  private:
   Loft trunk_, head_, leg_, arm_, foot_;

@@ -65,7 +65,7 @@ Section scaled(const Section& section, double factor) {
   return result;
 }
 
-Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap)
+Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness)
     : frame_(frame), first_cap_(first_cap), last_cap_(last_cap) {
   if (knots.size() < 2) throw std::invalid_argument("a loft needs at least two knots");
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -85,6 +85,31 @@ Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double fi
     for (int i = 0; i < samples; ++i)
       rows_[static_cast<std::size_t>(i)](channel) = hermite(x, y, slope, std::min(begin_ + i * step_, end_));
   }
+  if (softness > 0) soften(softness);
+}
+
+void Loft::soften(double softness) {
+  const double sigma = softness / step_;
+  const int reach = static_cast<int>(3 * sigma);
+  // Beyond the ends the rows go on point-symmetrically, so that the ends stay.
+  const auto extended = [&](int i) -> Row {
+    const auto at = [&](int k) -> const Row& { return rows_[static_cast<std::size_t>(std::clamp(k, 0, samples - 1))]; };
+    if (i < 0) return 2 * at(0) - at(-i);
+    if (i >= samples) return 2 * at(samples - 1) - at(2 * (samples - 1) - i);
+    return at(i);
+  };
+  std::vector<Row> soft;
+  for (int i = 0; i < samples; ++i) {
+    Row sum = Row::Zero();
+    double weights = 0;
+    for (int k = -reach; k <= reach; ++k) {
+      const double weight = std::exp(-.5 * k * k / (sigma * sigma));
+      sum += weight * extended(i + k);
+      weights += weight;
+    }
+    soft.emplace_back(sum / weights);
+  }
+  rows_ = std::move(soft);
 }
 
 Loft::Row Loft::row(double at, Row* slope) const {

@@ -42,8 +42,9 @@ struct FormSample {
 // begin `first_cap` and `last_cap` before the end knots.
 class Loft {
  public:
-  // At least two knots, ascending; throws std::invalid_argument otherwise.
-  Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap);
+  // At least two knots, ascending; throws std::invalid_argument otherwise. `softness` is the standard deviation, m, of the
+  // Gaussian that takes the bends of the cubics out along the axis.
+  Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness = 0);
 
   FormSample sample(const Eigen::Vector3d& at) const;
   Section section(double at) const;
@@ -57,6 +58,7 @@ class Loft {
   static constexpr int channels = 7;
   using Row = Eigen::Matrix<double, channels, 1>;
   Row row(double at, Row* slope) const;
+  void soften(double softness);
 
   LoftFrame frame_;
   double begin_ = 0, end_ = 0, first_cap_ = 0, last_cap_ = 0, step_ = 0;

@@ -116,6 +116,22 @@ class Layout {
     armpit_ = free;
   }
 
+  struct Corners {
+    double fore = 0, aft = 0;
+  };
+  // Front and back corner of the armhole's lower edge, as shares of the half ring's length.
+  Corners armhole_corners(const Chain& half) const {
+    const auto widest = std::max_element(half.begin(), half.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+    const double whole = length(half), at = length(Chain(half.begin(), widest + 1)), reach = .021 * figure_.height;
+    return {(at - reach) / whole, (at + reach) / whole};
+  }
+  // Moves shares of a row so that `from` comes to `to`.
+  static double gathered(double share, const Corners& from, const Corners& to) {
+    if (share < from.fore) return share / from.fore * to.fore;
+    if (share > from.aft) return 1 - (1 - share) / (1 - from.aft) * (1 - to.aft);
+    return to.fore + (share - from.fore) / (from.aft - from.fore) * (to.aft - to.fore);
+  }
+
   void lay_trunk() {
     const auto& y = figure_.levels;
     const double split = armpit_ - .004;
@@ -127,10 +143,30 @@ class Layout {
                              std::min(y.at("bust"), split - .02),
                              split};
     Rows below;
+    const Corners corners = armhole_corners(trunk_half_ring(split));
+    // Where the corners are on the reference body, by share of the row.
+    Corners own{decide(static_cast<int>(std::lround(1000 * corners.fore))) / 1000.0, 0};
+    own.aft = decide(static_cast<int>(std::lround(1000 * corners.aft))) / 1000.0;
     for (std::size_t k = 0; k + 1 < std::size(levels); ++k) {
       const int rows = steps(levels[k + 1] - levels[k]);
+      const bool last = k + 2 == std::size(levels);
       for (int i = k == 0 ? 0 : 1; i <= rows; ++i) {
-        const Rows row = add_half_ring(trunk_half_ring(levels[k] + (levels[k + 1] - levels[k]) * i / rows));
+        const double share = static_cast<double>(i) / rows;
+        const Chain chain = trunk_half_ring(levels[k] + share * (levels[k + 1] - levels[k]));
+        const int count = steps(length(chain), 8);
+        if (last && i == rows) {  // the armhole's corners are points of their own
+          fore_ = decide(std::max(2, static_cast<int>(std::lround(own.fore * count))));
+          aft_ = decide(std::min(count - 2, static_cast<int>(std::lround(own.aft * count))));
+          own = {static_cast<double>(fore_) / count, static_cast<double>(aft_) / count};
+        }
+        std::vector<double> shares;
+        for (int p = 0; p <= count; ++p) {
+          const double even = static_cast<double>(p) / count;
+          shares.push_back(last ? (1 - share) * even + share * gathered(even, own, corners) : even);
+        }
+        Chain points = at_shares(chain, shares);
+        points.front() = chain.front(), points.back() = chain.back();
+        const Rows row = add(points);
         if (below.empty())
           seat_ = row;
         else
@@ -154,14 +190,8 @@ class Layout {
   }
 
   void lay_armhole(const Rows& split_row, double split) {
-    const int last = static_cast<int>(split_row.size()) - 1;
-    const auto widest =
-        std::max_element(split_row.begin(), split_row.end(), [&](int a, int b) { return point(a).x() < point(b).x(); });
-    const int side = static_cast<int>(widest - split_row.begin()),
-              half = std::max(1, static_cast<int>(std::lround(.035 / edge_)));
-    const int fore = decide(std::max(2, side - half)), aft = decide(std::min(last - 2, side + half));
-    Rows fore_row(split_row.begin(), split_row.begin() + fore + 1), aft_row(split_row.begin() + aft, split_row.end());
-    const Rows bottom(split_row.begin() + fore, split_row.begin() + aft + 1);
+    Rows fore_row(split_row.begin(), split_row.begin() + fore_ + 1), aft_row(split_row.begin() + aft_, split_row.end());
+    const Rows bottom(split_row.begin() + fore_, split_row.begin() + aft_ + 1);
     const double outer = figure_.shoulder.x() + .010 * figure_.height;
     const double ridge = way_out(form_, {outer, figure_.shoulder.y(), figure_.shoulder.z()}, up).y();
     const double top = ridge - .015 * figure_.height;
@@ -328,33 +358,52 @@ class Layout {
       const int rows = steps(levels[k] - levels[k + 1]);
       for (int i = 1; i <= rows; ++i) lay_tube(below, round_leg(levels[k] + (levels[k + 1] - levels[k]) * i / rows), true);
     }
-    const double sole = .005;
-    const int rows = steps(1.4 * levels[4], 4);
-    for (int i = 1; i <= rows; ++i) {
-      const double height = levels[4] + (sole - levels[4]) * i / rows;
-      lay_tube(below, ring(form_, {figure_.ankle.x(), height, figure_.ankle.z()}, start, up, fine), true);
-    }
-    lay_sole(below);
+    lay_foot(below, start);
   }
-  void lay_sole(Rows below) {
-    const Chain rim = chain_of(below);
-    const Eigen::Vector3d toe =
-        *std::max_element(rim.begin(), rim.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    const Eigen::Vector3d heel =
-        *std::min_element(rim.begin(), rim.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    const Eigen::Vector3d a = heel + .15 * (toe - heel), b = heel + .8 * (toe - heel);
-    const int rows = steps(.04, 1);
-    for (int i = 1; i <= rows; ++i) {
-      Chain inner;
-      for (const Eigen::Vector3d& p : rim) {
-        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        Eigen::Vector3d q = p + .85 * i / rows * (a + t * (b - a) - p);
-        q.y() = 0;
-        inner.push_back(q);
-      }
-      lay_tube(below, inner, true);
+
+  // The leg's tube bends forward into the foot: planes swing about a line above the instep until they stand upright, then walk
+  // to the toes.
+  void lay_foot(Rows below, const Eigen::Vector3d& start) {
+    const Loft& foot = form_.foot();
+    const Eigen::Vector3d forward = foot.frame().along, aside = foot.frame().u;
+    const double tall = figure_.height, ankle = figure_.levels.at("ankle");
+    const Eigen::Vector3d ankle_centre = form_.leg().centre(ankle);
+    const double reach = .045 * tall;
+    const Eigen::Vector3d pivot = ankle_centre + reach * forward;
+    const Chain heel = half_fan(pivot, forward);
+    const int swings = steps(.75 * length(heel), 5);
+    const double deep = pivot.y() - .022 * tall;
+    for (int i = 1; i <= swings; ++i) {
+      const double share = static_cast<double>(i) / swings;
+      const Eigen::AngleAxisd swing(-90 * degree * share, aside);
+      const Eigen::Vector3d centre = pivot + swing * (-(reach + share * (deep - reach)) * forward);
+      lay_tube(below, ring(form_, centre, swing * start, swing * up, 2 * fine), true);
     }
-    fold(below, front, true);
+    const Eigen::AngleAxisd upright(-90 * degree, aside);
+    const double from = forward.dot(pivot - foot.frame().origin), to = foot.end() - .008 * tall;
+    const auto centre_at = [&](double at) {
+      Eigen::Vector3d centre = foot.frame().origin + at * forward;
+      centre.y() = .4 * way_out(form_, {centre.x(), .004, centre.z()}, up).y();
+      return centre;
+    };
+    const int rows = steps(to - from, 2);
+    for (int i = 1; i <= rows; ++i)
+      lay_tube(below, ring(form_, centre_at(from + (to - from) * i / rows), upright * start, upright * up, fine), true);
+    const Eigen::Vector3d centre = centre_at(to);
+    Chain inner;
+    for (const Eigen::Vector3d& p : chain_of(below))
+      inner.push_back(form_.projected(centre + .55 * (p - centre) + .006 * forward, 8));
+    lay_tube(below, inner, true);
+    fold(below, aside, true);
+  }
+  // Round the heel in the plane of the foot.
+  Chain half_fan(const Eigen::Vector3d& pivot, const Eigen::Vector3d& forward) const {
+    Chain fan;
+    for (int i = 0; i <= fine; ++i) {
+      const double angle = 90 * degree * i / fine;
+      fan.push_back(pivot - .09 * figure_.height * (std::cos(angle) * forward + std::sin(angle) * up));
+    }
+    return fan;
   }
 
   const BodyForm& form_;
@@ -363,6 +412,7 @@ class Layout {
   const Net* reference_;
   Net net_;
   double armpit_ = 0;
+  int fore_ = 0, aft_ = 0;  // points of the split row at the armhole's corners
   Rows seat_, shoulder_, armhole_, neck_;
 };
 

@@ -67,20 +67,30 @@ double length(const Chain& chain) {
   return sum;
 }
 
-Chain resampled(const Chain& chain, int count) {
-  const double step = length(chain) / (count - 1);
-  Chain even = {chain.front()};
+Chain at_shares(const Chain& chain, const std::vector<double>& shares) {
+  const double whole = length(chain);
+  Chain points;
+  std::size_t i = 1;
   double walked = 0;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const double piece = (chain[i] - chain[i - 1]).norm();
-    while (static_cast<int>(even.size()) < count - 1 && static_cast<double>(even.size()) * step <= walked + piece) {
-      const double t = (static_cast<double>(even.size()) * step - walked) / piece;
-      even.push_back(chain[i - 1] + t * (chain[i] - chain[i - 1]));
+  for (const double share : shares) {
+    double piece = (chain[i] - chain[i - 1]).norm();
+    while (i + 1 < chain.size() && walked + piece < share * whole) {
+      walked += piece;
+      ++i;
+      piece = (chain[i] - chain[i - 1]).norm();
     }
-    walked += piece;
+    const double t = piece > 0 ? std::clamp((share * whole - walked) / piece, 0.0, 1.0) : 0;
+    points.push_back(chain[i - 1] + t * (chain[i] - chain[i - 1]));
   }
-  even.push_back(chain.back());
-  return even;
+  return points;
+}
+
+Chain resampled(const Chain& chain, int count) {
+  std::vector<double> shares;
+  for (int i = 0; i < count; ++i) shares.push_back(static_cast<double>(i) / (count - 1));
+  Chain points = at_shares(chain, shares);
+  points.front() = chain.front(), points.back() = chain.back();
+  return points;
 }
 
 Chain resampled_ring(Chain chain, int count) {

@@ -21,6 +21,8 @@ Chain half_ring(const BodyForm& form, const Eigen::Vector3d& centre, const Eigen
                 int count);
 
 double length(const Chain& chain);
+// The points at the given shares (ascending, 0 .. 1) of the open chain's length.
+Chain at_shares(const Chain& chain, const std::vector<double>& shares);
 // `count` >= 2 points spaced evenly over the open chain, both ends included.
 Chain resampled(const Chain& chain, int count);
 // `count` points spaced evenly over the closed chain, the first one kept.
