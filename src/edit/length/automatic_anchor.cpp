@@ -21,7 +21,7 @@ AutomaticAnchor automatic_anchor(const EditInput& input, const LevelMesh& mesh, 
                                  const std::vector<bool>& connected, double by) {
   constexpr double step = 0.01;
   constexpr int most_missing = 5;  // a gap of that many steps is the end of the limb
-  const double wanted = std::max(0.08, by < 0 ? -2.5 * by : 1.5 * by);
+  const double wanted = std::max(0.08, by < 0 ? -1.8 * by : 1.5 * by);
   const auto chains = skeleton_chains(input.body.form);
   const Threading own = threading(chains, input.drape, loop);
   const Eigen::VectorXd field = (axis.transpose() * input.drape).transpose();

@@ -17,7 +17,7 @@ struct AutomaticAnchor {
 };
 
 // Looks from `loop` (at axis coordinate `level`) against `axis`, ring by ring round the same limb (or the trunk, for a leg),
-// over the vertices that are `connected` to it. A move of `by` metres wants 2.5 times as much room to shorten, 1.5 times to
+// over the vertices that are `connected` to it. A move of `by` metres wants 1.8 times as much room to shorten, 1.5 times to
 // lengthen; the ring is the nearest one at or beyond the tight edge with that room, or the farthest there is.
 AutomaticAnchor automatic_anchor(const EditInput& input, const LevelMesh& mesh, const ContactRegion& contact,
                                  const VertexLoop& loop, const Eigen::Vector3d& axis, double level,

@@ -7,7 +7,20 @@
 namespace toile {
 namespace {
 
-constexpr double wanted_gap = 2e-3;  // m off the body, or what the source had if that was less
+constexpr double most_wanted_gap = 2e-3;  // m
+
+// The distance at which the source lies on the body, so that a vertex that newly touches does not stand out from its
+// neighbours.
+double wanted_gap(const ContactRegion& contact) {
+  double sum = 0;
+  int count = 0;
+  for (const double gap : contact.gap) {
+    if (gap >= most_wanted_gap) continue;
+    sum += std::max(0.0, gap);
+    ++count;
+  }
+  return count > 0 ? sum / count : most_wanted_gap;
+}
 
 class BodyTerms {
  public:
@@ -18,6 +31,7 @@ class BodyTerms {
         contact_(contact),
         axes_(limb_axes(input.body.form)),
         weights_(style_weights(input.body.form.height)),
+        wanted_gap_(wanted_gap(contact)),
         areas_(vertex_areas(triangles, input.drape.cols())),
         handle_of_(static_cast<std::size_t>(input.drape.cols()), nullptr),
         release_(Eigen::VectorXd::Zero(input.drape.cols())),
@@ -59,7 +73,7 @@ class BodyTerms {
     return terms;
   }
 
-  double least_gap(int v) const { return std::min(wanted_gap, contact_.gap(v)); }
+  double least_gap(int v) const { return std::min(wanted_gap_, contact_.gap(v)); }
 
   std::vector<SoftTerm> contact(const Eigen::Matrix3Xd& x) {
     std::vector<SoftTerm> terms;
@@ -96,6 +110,7 @@ class BodyTerms {
   const ContactRegion& contact_;
   std::vector<LimbAxis> axes_;
   StyleWeights weights_;
+  double wanted_gap_;
   Eigen::VectorXd areas_;
   std::vector<const Handle*> handle_of_;  // what a vertex moves with; null when it is held
   Eigen::VectorXd release_;               // rho of E_fit
