@@ -15,6 +15,7 @@ namespace {
 
 using Vec = Eigen::Vector3d;
 
+constexpr double touching = 1e-7;                       // m
 constexpr double least_height = .2, most_height = 2.6;  // m
 
 std::string number(double value, int digits) {
@@ -221,6 +222,11 @@ void check_self_intersections(const Mannequin& form, const std::string& place, R
     for (const int t : tree.pierced(a, b)) {
       const Eigen::Vector3i other = form.triangles.col(t);
       if ((other.array() == edge.vertex[0]).any() || (other.array() == edge.vertex[1]).any()) continue;
+      // An edge in the plane of the triangle, as on a flat sole, goes through nothing.
+      const Vec corner_a = corner(form, t, 0),
+                normal = (corner(form, t, 1) - corner_a).cross(corner(form, t, 2) - corner_a).normalized();
+      const double above = normal.dot(a - corner_a), below = normal.dot(b - corner_a);
+      if (above * below >= 0 || std::min(std::abs(above), std::abs(below)) < touching) continue;
       if (count++ == 0) first = (a + b) / 2;
     }
   }

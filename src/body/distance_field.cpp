@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,8 +83,9 @@ class Sampler {
 
   std::vector<float> samples() const {
     std::vector<float> result(fine_.nodes());
-    in_chunks(fine_.size[2], threads_, [&](int k) {
-      for (int j = 0; j < fine_.size[1]; ++j) sample_row(j, k, &result[fine_.index(0, j, k)]);
+    in_chunks(coarse_.size[2], threads_, [&](int k) {
+      for (int j = 0; j < coarse_.size[1]; ++j)
+        for (int i = 0; i < coarse_.size[0]; ++i) sample_block({i, j, k}, result);
     });
     return result;
   }
@@ -93,14 +95,12 @@ class Sampler {
 
   void sample_coarse() {
     signed_.resize(coarse_.nodes());
-    nearest_.resize(coarse_.nodes());
     in_chunks(coarse_.size[2], threads_, [&](int k) {
       for (int j = 0; j < coarse_.size[1]; ++j) {
         int guess = -1;
         for (int i = 0; i < coarse_.size[0]; ++i) {
           const NearestPoint found = tree_.nearest(coarse_.at(i, j, k), std::numeric_limits<double>::infinity(), guess);
           guess = found.triangle;
-          nearest_[coarse_.index(i, j, k)] = found.triangle;
           signed_[coarse_.index(i, j, k)] = sign(i * stride, j * stride, k * stride) * found.distance;
         }
       }
@@ -120,27 +120,27 @@ class Sampler {
     return sum;
   }
 
-  void sample_row(int j, int k, float* row) const {
-    int guess = -1;
-    for (int i = 0; i < fine_.size[0]; ++i) {
-      const Eigen::Vector3i near((i + stride / 2) / stride, (j + stride / 2) / stride, (k + stride / 2) / stride);
-      const std::size_t anchor = coarse_.index(near[0], near[1], near[2]);
-      const double away = fine_.cell * (Eigen::Vector3i(i, j, k) - stride * near).cast<double>().norm();
-      double value = 0;
-      if (std::abs(signed_[anchor]) - away > band_ + blend_) {
-        value = trilinear(i, j, k);
-        guess = -1;
-      } else {
-        const double within = (std::abs(signed_[anchor]) + away) * (1 + 1e-9) + 1e-12;
-        const NearestPoint found = tree_.nearest(fine_.at(i, j, k), within, guess < 0 ? nearest_[anchor] : guess);
-        guess = found.triangle;
-        const double exact = sign(i, j, k) * found.distance;
-        const double t = std::clamp((std::abs(exact) - band_) / blend_, 0.0, 1.0);
-        const double coarse_share = t * t * (3 - 2 * t);
-        value = coarse_share > 0 ? (1 - coarse_share) * exact + coarse_share * trilinear(i, j, k) : exact;
-      }
-      row[i] = static_cast<float>(value);
-    }
+  // The fine nodes to which this coarse node is the nearest.
+  void sample_block(const Eigen::Vector3i& coarse, std::vector<float>& result) const {
+    const double here = signed_[coarse_.index(coarse[0], coarse[1], coarse[2])];
+    const Eigen::Vector3i centre = stride * coarse;
+    const Eigen::Vector3i low = (centre.array() - stride / 2).max(0),
+                          high = (centre.array() + stride / 2).min(fine_.size.array());
+    const double reach = std::sqrt(3.0) * stride / 2 * fine_.cell;
+    std::optional<TriangleTree::Neighbourhood> near;
+    if (std::abs(here) - reach <= band_ + blend_)
+      near = tree_.around(coarse_.at(coarse[0], coarse[1], coarse[2]), std::abs(here), reach);
+    for (int k = low[2]; k < high[2]; ++k)
+      for (int j = low[1]; j < high[1]; ++j)
+        for (int i = low[0]; i < high[0]; ++i) result[fine_.index(i, j, k)] = static_cast<float>(sample(i, j, k, near));
+  }
+
+  double sample(int i, int j, int k, const std::optional<TriangleTree::Neighbourhood>& near) const {
+    if (!near) return trilinear(i, j, k);
+    const double exact = sign(i, j, k) * near->distance(fine_.at(i, j, k));
+    const double t = std::clamp((std::abs(exact) - band_) / blend_, 0.0, 1.0);
+    const double coarse_share = t * t * (3 - 2 * t);
+    return coarse_share > 0 ? (1 - coarse_share) * exact + coarse_share * trilinear(i, j, k) : exact;
   }
 
   GridFrame fine_, coarse_;
@@ -148,7 +148,6 @@ class Sampler {
   TriangleTree tree_;
   std::vector<std::int16_t> winding_;
   std::vector<double> signed_;  // coarse nodes, m
-  std::vector<int> nearest_;    // coarse nodes, triangle
   int threads_;
 };
 

@@ -17,6 +17,11 @@ struct Corners {
   Vec a, b, c;
 };
 
+struct Ball {
+  Vec centre;
+  double radius;
+};
+
 // Voronoi regions of the triangle, after Ericson, Real-Time Collision Detection, 5.1.5.
 Vec nearest_on_triangle(const Corners& t, const Vec& p) {
   const Vec ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
@@ -82,6 +87,7 @@ struct TriangleTree::Nodes {
     int right = 0;           // second child; the first follows its parent; 0 for a leaf
   };
   std::vector<Corners> corners;  // in tree order
+  std::vector<Ball> balls;       // in tree order, each holds its triangle
   std::vector<int> order;        // tree order to triangle
   std::vector<int> place;        // triangle to tree order
   std::vector<Node> nodes;
@@ -152,11 +158,16 @@ TriangleTree::TriangleTree(const Eigen::Matrix3Xd& positions, const Eigen::Matri
   nodes->nodes.reserve(count);
   nodes->build(0, static_cast<int>(count), centre, boxes);
   nodes->corners.resize(count);
+  nodes->balls.resize(count);
   nodes->place.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const int t = nodes->order[i];
     const Eigen::Vector3i corner = triangles.col(t);
-    nodes->corners[i] = {positions.col(corner[0]), positions.col(corner[1]), positions.col(corner[2])};
+    const Corners& c = nodes->corners[i] = {positions.col(corner[0]), positions.col(corner[1]), positions.col(corner[2])};
+    const Vec middle = centre[static_cast<std::size_t>(t)];
+    const double radius =
+        std::sqrt(std::max({(c.a - middle).squaredNorm(), (c.b - middle).squaredNorm(), (c.c - middle).squaredNorm()}));
+    nodes->balls[i] = {middle, radius * (1 + 1e-12)};
     nodes->place[static_cast<std::size_t>(t)] = static_cast<int>(i);
   }
   nodes_ = std::move(nodes);
@@ -167,11 +178,16 @@ NearestPoint TriangleTree::nearest(const Vec& query, double within, int guess) c
   const Nodes& tree = *nodes_;
   NearestPoint best;
   double bound = within * within;
+  double reach = within;  // sqrt(bound)
   const auto try_triangle = [&](int i) {
+    const Ball& ball = tree.balls[static_cast<std::size_t>(i)];
+    const double near = reach + ball.radius;
+    if ((ball.centre - query).squaredNorm() > near * near) return;
     const Vec at = nearest_on_triangle(tree.corners[static_cast<std::size_t>(i)], query);
     const double squared = (at - query).squaredNorm();
     if (squared < bound || (best.triangle < 0 && squared <= bound)) {
       bound = squared;
+      reach = std::sqrt(squared);
       best = {tree.order[static_cast<std::size_t>(i)], at, 0};
     }
   };
@@ -189,14 +205,61 @@ NearestPoint TriangleTree::nearest(const Vec& query, double within, int guess) c
       continue;
     }
     std::pair<double, int> left{squared_distance(tree.nodes[static_cast<std::size_t>(index) + 1].box, query), index + 1};
-    std::pair<double, int> right{squared_distance(tree.nodes[static_cast<std::size_t>(node.right)].box, query),
-                                 node.right};
+    std::pair<double, int> right{squared_distance(tree.nodes[static_cast<std::size_t>(node.right)].box, query), node.right};
     if (left.first > right.first) std::swap(left, right);
     if (right.first <= bound) stack[height++] = right;
     if (left.first <= bound) stack[height++] = left;
   }
   if (best.triangle >= 0) best.distance = std::sqrt(bound);
   return best;
+}
+
+TriangleTree::Neighbourhood TriangleTree::around(const Vec& centre, double distance, double reach) const {
+  if (!nodes_) throw std::invalid_argument("TriangleTree::around: the tree is empty");
+  Neighbourhood found;
+  found.nodes_ = nodes_;
+  found.centre_ = centre;
+  // The triangle nearest to a point p has distance(p) <= distance + |p - centre|, hence lies within that + |p - centre| of
+  // centre.
+  const double most = (distance + 2 * reach) * (1 + 1e-9) + 1e-12;
+  std::array<int, 64> stack;
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const int index = stack[--height];
+    const Nodes::Node& node = nodes_->nodes[static_cast<std::size_t>(index)];
+    if (squared_distance(node.box, centre) > most * most) continue;
+    if (node.right != 0) {
+      stack[height++] = node.right;
+      stack[height++] = index + 1;
+      continue;
+    }
+    for (int i = node.begin; i < node.end; ++i) {
+      const Ball& ball = nodes_->balls[static_cast<std::size_t>(i)];
+      if (const double from = (ball.centre - centre).norm() - ball.radius; from <= most) found.candidates_.push_back({from, i});
+    }
+  }
+  std::sort(found.candidates_.begin(), found.candidates_.end(), [](const auto& a, const auto& b) {
+    return a.from_centre != b.from_centre ? a.from_centre < b.from_centre : a.place < b.place;
+  });
+  return found;
+}
+
+double TriangleTree::Neighbourhood::distance(const Vec& query) const {
+  const double off = (query - centre_).norm() * (1 + 1e-9) + 1e-12;
+  double bound = std::numeric_limits<double>::infinity(), reach = bound;
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.from_centre - off > reach) break;
+    const auto place = static_cast<std::size_t>(candidate.place);
+    const Ball& ball = nodes_->balls[place];
+    const double near = reach + ball.radius;
+    if ((ball.centre - query).squaredNorm() > near * near) continue;
+    if (const double squared = (nearest_on_triangle(nodes_->corners[place], query) - query).squaredNorm(); squared < bound) {
+      bound = squared;
+      reach = std::sqrt(squared);
+    }
+  }
+  return reach;
 }
 
 std::vector<double> TriangleTree::crossings(const Vec& from, const Vec& step, double most) const {
