@@ -42,19 +42,22 @@ OutputFolder::~OutputFolder() {
 
 fs::path OutputFolder::path(const std::string& name) const { return staging_ / name; }
 
-std::vector<std::string> OutputFolder::keep() {
+std::vector<std::string> OutputFolder::names() const {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(staging_)) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
+  return names;
+}
+
+void OutputFolder::keep() {
   std::error_code error;
-  for (const std::string& name : names) {
+  for (const std::string& name : names()) {
     fs::rename(staging_ / name, folder_ / name, error);
     if (error)
       throw BadInput({"output.cannot-create", Severity::error, (folder_ / name).string(), error.message(),
                       "Choose a folder that you may write", Fault::cannot_create});
     kept_ = true;
   }
-  return names;
 }
 
 }  // namespace toile

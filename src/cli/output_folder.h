@@ -18,8 +18,9 @@ class OutputFolder {
 
   // Where to write `name` until keep().
   std::filesystem::path path(const std::string& name) const;
-  // Moves every file into the folder; returns their names, sorted.
-  std::vector<std::string> keep();
+  std::vector<std::string> names() const;  // of the files so far, sorted
+  // Moves every file into the folder.
+  void keep();
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -1,0 +1,180 @@
+#include "cli/job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "body/parametric.h"
+#include "cli/exit_codes.h"
+#include "cli/templates.h"
+#include "cut/cut.h"
+#include "formats/formats.h"
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+constexpr double reread_limit = 0.05e-3;   // m, a written outline read back
+constexpr double seam_limit = 3e-3;        // m, a seam that no longer fits
+constexpr double far_from_target = 0.01;   // of the body's height
+
+template <class T>
+T take(Loaded<T> loaded, Job& job) {
+  job.findings.insert(job.findings.end(), loaded.report.findings.begin(), loaded.report.findings.end());
+  return value_or_throw(std::move(loaded));
+}
+
+void add(Job& job, const Report& report) {
+  job.findings.insert(job.findings.end(), report.findings.begin(), report.findings.end());
+}
+
+std::string percent_of_height(double metres, const Job& job) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f %%", 100 * metres / job.scene.body.form.height);
+  return text;
+}
+
+// How far a drape has come, on the scale of decades its residual has to fall.
+DrapeSteps drape_bar(Progress& progress) {
+  auto first = std::make_shared<double>(0);
+  return [&progress, first](const DrapeProgress& state) {
+    if (state.step <= 1) *first = std::max(state.residual, 10 * state.tolerance);
+    char detail[64];
+    std::snprintf(detail, sizeof detail, "step %d, residual %.1e", state.step, state.residual);
+    progress.update(std::log(*first / state.residual) / std::log(*first / state.tolerance), detail);
+  };
+}
+
+Mannequin body_of(const Recipe& recipe, Job& job) {
+  if (!recipe.body.file.empty()) return take(read_body(recipe.body.file, recipe.body.skeleton), job);
+  const auto chart = template_file("mannequins", recipe.body.chart + ".csv");
+  return build_mannequin(take(read_size_chart_row(chart, recipe.body.size), job));
+}
+
+// The reread piece with its edges in the order of the piece that was written.
+Piece in_order(const Piece& written, Piece read, double& moved) {
+  const auto refuse = [&](const std::string& what) {
+    throw BadInput({"export.changed", Severity::error, "piece '" + written.name + "'", "the written DXF reads back differently: " + what,
+                    "Do not cut from these files; please report this as a fault of the program", Fault::checks_failed});
+  };
+  if (read.outline.size() != written.outline.size()) refuse(std::to_string(read.outline.size()) + " edges instead of " + std::to_string(written.outline.size()));
+  const auto first = std::find_if(read.outline.begin(), read.outline.end(), [&](const Edge& e) { return e.id == written.outline.front().id; });
+  if (first == read.outline.end()) refuse("no edge '" + written.outline.front().id + "'");
+  std::rotate(read.outline.begin(), first, read.outline.end());
+  for (std::size_t e = 0; e < written.outline.size(); ++e) {
+    const Edge& a = written.outline[e];
+    const Edge& b = read.outline[e];
+    if (a.id != b.id || a.points.size() != b.points.size()) refuse("edge '" + a.id + "' has changed");
+    for (std::size_t i = 0; i < a.points.size(); ++i) moved = std::max(moved, (a.points[i].at - b.points[i].at).norm());
+  }
+  if (read.notches.size() != written.notches.size()) refuse("the number of notches");
+  return read;
+}
+
+Pattern in_order(const Pattern& written, const Pattern& read) {
+  Pattern ordered = read;
+  ordered.pieces.clear();
+  double moved = 0;
+  for (const Piece& piece : written.pieces) {
+    const Piece* found = find_piece(read, piece.name);
+    if (!found)
+      throw BadInput({"export.changed", Severity::error, "piece '" + piece.name + "'", "the written DXF does not have it",
+                      "Do not cut from these files; please report this as a fault of the program", Fault::checks_failed});
+    ordered.pieces.push_back(in_order(piece, *found, moved));
+  }
+  if (moved > reread_limit)
+    throw BadInput({"export.changed", Severity::error, "pattern", "the written DXF reads back " + in_mm(moved, 3) + " off",
+                    "Do not cut from these files; please report this as a fault of the program", Fault::checks_failed});
+  return ordered;
+}
+
+void judge(Job& job) {
+  const Verified& verified = job.verified;
+  const std::string place = "re-drape";
+  Report report;
+  if (job.adjustment.stop == AdjustStop::not_developable)
+    report.error("adjust.not-developable", "target", "this shape cannot be cut from flat cloth", "Make the change smaller or spread it over a larger part",
+                 Fault::checks_failed);
+  if (job.adjustment.stop == AdjustStop::slipped)
+    report.error("adjust.slips", "target", "a garment of this shape slips down", "Let the edit leave the part that holds the garment", Fault::checks_failed);
+  if (verified.step.hausdorff > far_from_target * job.scene.body.form.height)
+    report.error("adjust.far-from-target", place, "the pattern drapes up to " + in_mm(verified.step.hausdorff) + " from the target (" +
+                 percent_of_height(verified.step.hausdorff, job) + " of the height)", "Look at the map of distances before you cut", Fault::checks_failed);
+  if (job.redrawn.seam_mismatch > seam_limit)
+    report.error("adjust.seam-mismatch", "pattern", "a seam is " + in_mm(job.redrawn.seam_mismatch) + " off", "See the table of seams", Fault::checks_failed);
+  add(job, report);
+}
+
+}  // namespace
+
+void load(Job& job, Progress& progress) {
+  const Recipe& recipe = job.recipe;
+  progress.begin("read");
+  job.pattern = take(read_pattern(recipe.pattern.file, {recipe.pattern.unit_in_metres, recipe.pattern.seams}), job);
+  if (job.pattern.seams.empty())
+    throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
+                    "Write a seams file beside it: " + recipe.pattern.file.stem().string() + ".seams.toml"});
+  const auto fabric = recipe.fabric.file.empty() ? template_file("fabrics", recipe.fabric.name + ".toml") : recipe.fabric.file;
+  job.scene.fabric = take(read_fabric(fabric), job);
+  job.scene.simulator = find_simulator(recipe.drape.simulator);
+  job.scene.hem = recipe.cut.allowances.hem;
+  job.scene.body = make_body(body_of(recipe, job));
+  progress.end(std::to_string(job.pattern.pieces.size()) + " pieces, " + std::to_string(job.pattern.seams.size()) + " seams; body " +
+               job.scene.body.form.name + "; " + job.scene.fabric.name);
+}
+
+void work(Job& job, Progress& progress) {
+  const Recipe& recipe = job.recipe;
+  progress.begin("drape");
+  job.worn = wear(job.pattern, job.scene, recipe.drape.edge_length, recipe.drape.tolerance, drape_bar(progress));
+  add(job, job.worn.report);
+  char words[128];
+  std::snprintf(words, sizeof words, "%d triangles, residual %.1e in %d steps, %.1f s", triangle_count(job.worn.garment),
+                job.worn.drape.residual, job.worn.drape.steps, job.worn.drape.seconds);
+  progress.end(words);
+
+  progress.begin("edit");
+  job.target = edit(job.worn, job.scene, recipe.edits);
+  add(job, job.target.report);
+  progress.end(std::to_string(recipe.edits.size()) + " edits");
+
+  progress.begin("adjust");
+  AdjustOptions options;
+  options.most_steps = recipe.adjust.steps;
+  options.tolerance = recipe.adjust.tolerance;
+  options.progress = [&](const AdjustStep& step) {
+    progress.end(in_mm(step.hausdorff) + " (" + percent_of_height(step.hausdorff, job) + "), mean " + in_mm(step.mean, 2));
+  };
+  job.adjustment = adjust_pattern(job.worn.pattern, job.target, job.scene, options, drape_bar(progress));
+  job.flattened = job.adjustment.steps.front();
+  progress.end(in_words(job.adjustment.stop) + ", best is step " + std::to_string(job.adjustment.best));
+
+  progress.begin("redraw");
+  job.redrawn = redraw(job.worn.pattern, job.worn.garment, job.adjustment.rest);
+  add(job, job.redrawn.report);
+  job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
+  progress.end("outlines within " + in_mm(job.redrawn.max_deviation, 2) + ", seams within " + in_mm(job.redrawn.seam_mismatch, 2));
+}
+
+void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress) {
+  progress.begin("verify");
+  const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
+  job.reread = in_order(job.redrawn.pattern, read);
+  job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, drape_bar(progress));
+  add(job, job.verified.report);
+  judge(job);
+  progress.end(in_mm(job.verified.step.hausdorff) + " (" + percent_of_height(job.verified.step.hausdorff, job) + ")");
+}
+
+int exit_code(const Job& job) {
+  int code = exit_ok;
+  for (const Finding& finding : job.findings) {
+    if (finding.severity != Severity::error) continue;
+    const int of_finding = exit_code(finding.fault);
+    if (code == exit_ok || of_finding == exit_not_converged) code = of_finding;
+  }
+  return code;
+}
+
+}  // namespace toile

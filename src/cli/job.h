@@ -1,0 +1,39 @@
+#pragma once
+// One run of a recipe: what was read, what each stage made. The files are written from it.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "garment/cut_sheet.h"
+#include "workbench/workbench.h"
+
+namespace toile {
+
+struct Job {
+  Recipe recipe;
+  Pattern pattern;  // as read
+  Scene scene;
+  Worn worn;
+  Target target;
+  Adjustment adjustment;
+  Redrawn redrawn;
+  CutSheet sheet;
+  Pattern reread;   // the written DXF, read back
+  Verified verified;
+  AdjustStep flattened;  // the baseline's measures
+  std::vector<Finding> findings;  // of all stages, in order
+};
+
+// Reads what the recipe names. Throws BadInput.
+void load(Job& job, Progress& progress);
+// Drape, edit, adjust, redraw.
+void work(Job& job, Progress& progress);
+// Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
+void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);
+
+// What the exit code must say: the gravest of the findings.
+int exit_code(const Job& job);
+
+}  // namespace toile

@@ -1,0 +1,75 @@
+#include "cli/run.h"
+
+#include <cctype>
+#include <cstdio>
+
+#include "cli/job.h"
+#include "cli/output_folder.h"
+#include "cli/pictures.h"
+#include "cli/recipe_file.h"
+#include "cli/summary.h"
+#include "cli/templates.h"
+#include "formats/formats.h"
+#include "formats/svg/sheet_style.h"
+#include "formats/svg/write_svg.h"
+
+namespace toile {
+namespace {
+
+// File name of the pattern: the recipe's file name keeps to what every CAD can open.
+std::string file_stem(const std::filesystem::path& recipe) {
+  std::string stem = recipe.stem().string();
+  for (char& c : stem)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
+  return stem;
+}
+
+void write_patterns(const Job& job, const OutputFolder& out, const std::string& stem) {
+  write_dxf_aama(out.path(stem + ".dxf"), job.sheet);
+  write_seams(out.path(stem + ".seams.toml"), job.redrawn.pattern);
+}
+
+void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
+  CutSheet sheet = job.sheet;
+  sheet.notes.push_back(verdict(job));
+  write_svg(out.path(stem + ".svg"), sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
+  const GarmentMesh& garment = job.worn.garment;
+  write_obj(out.path("source.obj"), garment, job.worn.drape.positions);
+  write_obj(out.path("target.obj"), garment, job.target.positions);
+  write_obj(out.path("flattened.obj"), with_rest(garment, job.adjustment.flattened), job.adjustment.flattened_drape.positions);
+  write_obj(out.path("redrape.obj"), with_rest(garment, job.verified.rest), job.verified.drape.positions);
+  write_obj(out.path("body.obj"), job.scene.body.form);
+}
+
+void say(const Job& job, const RunOptions& options) {
+  for (const Finding& finding : job.findings)
+    if (finding.severity == Severity::error || !options.quiet) std::fprintf(stderr, "toile: %s\n", in_words(finding).c_str());
+}
+
+}  // namespace
+
+int run_recipe(const RunOptions& options) {
+  Progress progress(options.progress);
+  Job job;
+  job.recipe = value_or_throw(read_recipe(options.recipe));
+  OutputFolder out(options.out, options.force);
+  load(job, progress);
+  work(job, progress);
+  const std::string stem = file_stem(options.recipe);
+  write_patterns(job, out, stem);
+  prove(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"), progress);
+
+  progress.begin("write");
+  write_results(job, out, stem);
+  const auto pictures = write_pictures(job, out);
+  std::vector<std::string> files = out.names();
+  files.push_back("summary.json");
+  write_whole_file(out.path("summary.json"), summary_json(job, files));
+  out.keep();
+  progress.end(std::to_string(files.size()) + " files in " + out.folder().string());
+  say(job, options);
+  std::printf("%s; files in %s\n", verdict(job).c_str(), out.folder().string().c_str());
+  return exit_code(job);
+}
+
+}  // namespace toile
