@@ -1,0 +1,45 @@
+#include "picture/colour_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "picture/colour_space.h"
+
+namespace toile {
+namespace {
+
+// OKLab: lightness falls in equal steps; hue goes from cream over orange and red to violet.
+constexpr std::array<OkLab, 6> stops = {
+    {{.95, .000, .035}, {.83, .045, .120}, {.71, .120, .110}, {.59, .170, .050}, {.47, .155, -.050}, {.35, .080, -.120}}};
+
+}  // namespace
+
+Colour colour_map(double t) {
+  if (std::isnan(t)) return {.5, .5, .5};
+  const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  const double s = place - static_cast<double>(i);
+  const OkLab &a = stops[i], &b = stops[i + 1];
+  return to_srgb({a.lightness + s * (b.lightness - a.lightness), a.a + s * (b.a - a.a), a.b + s * (b.b - a.b)});
+}
+
+double round_top(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return 1;
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (value <= step * decade * (1 + 1e-9)) return step * decade;
+  return 10 * decade;
+}
+
+std::vector<double> ticks(double top) {
+  const double decade = std::pow(10, std::floor(std::log10(top)));
+  double step = decade / 10;
+  for (const double part : {0.2, 0.5, 1.0, 2.0})
+    if (part * decade <= top / 4 * (1 + 1e-9)) step = part * decade;
+  std::vector<double> values;
+  for (int i = 0; i * step <= top * (1 + 1e-9); ++i) values.push_back(i * step);
+  return values;
+}
+
+}  // namespace toile
