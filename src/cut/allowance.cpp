@@ -132,7 +132,7 @@ std::optional<int> first_too_near(const Line& cut, const std::vector<OffsetEdge>
 
 bool is_sound(const Line& cut, const std::vector<OffsetEdge>& edges) {
   const Polygon polygon = places(cut);
-  return !first_crossing(polygon) && signed_area(polygon) > 0 && !first_too_near(cut, edges);
+  return !first_self_crossing(polygon) && signed_area(polygon) > 0 && !first_too_near(cut, edges);
 }
 
 // The strips beside the edges' segments, by edge.
@@ -220,8 +220,8 @@ Line united(const Piece& piece, const Polygon& net, const std::vector<OffsetEdge
       refuse(piece, piece.outline[static_cast<std::size_t>(edge.edge)].id);
   }
   Line line = flagged(all.outer, raw);
-  if (first_crossing(places(line)))
-    refuse(piece, nearest_edge(piece, edges, line[static_cast<std::size_t>(first_crossing(places(line))->first)].at));
+  if (first_self_crossing(places(line)))
+    refuse(piece, nearest_edge(piece, edges, line[static_cast<std::size_t>(first_self_crossing(places(line))->first)].at));
   if (const auto edge = first_too_near(line, edges)) refuse(piece, piece.outline[static_cast<std::size_t>(*edge)].id);
   return line;
 }
@@ -234,7 +234,7 @@ Polygon net_polygon(const Piece& piece, const std::vector<OffsetEdge>& edges) {
       net.push_back(edge.sew[i].at);
       edge_of.push_back(piece.outline[static_cast<std::size_t>(edge.edge)].id);
     }
-  if (const auto crossed = first_crossing(net))
+  if (const auto crossed = first_self_crossing(net))
     throw BadInput({.code = "cut.outline-crosses",
                     .place = "piece '" + piece.name + "', edges '" + edge_of[static_cast<std::size_t>(crossed->first)] +
                              "' and '" + edge_of[static_cast<std::size_t>(crossed->second)] + "'",

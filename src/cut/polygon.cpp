@@ -74,7 +74,7 @@ double distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
-std::optional<std::pair<int, int>> first_crossing(const Polygon& polygon) {
+std::optional<std::pair<int, int>> first_self_crossing(const Polygon& polygon) {
   const std::size_t n = polygon.size();
   if (n < 3) return std::pair{0, 0};
   const std::vector<Box> boxes = segment_boxes(polygon);

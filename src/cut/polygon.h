@@ -28,7 +28,7 @@ double distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 
 // The first two segments (by the index of their first point) that cross, touch without being neighbours, or, being neighbours,
 // fold back onto each other; empty when the polygon is simple.
-std::optional<std::pair<int, int>> first_crossing(const Polygon& polygon);
+std::optional<std::pair<int, int>> first_self_crossing(const Polygon& polygon);
 
 // Whether any part of one lies inside or on the other. Exact for simple polygons.
 bool overlap(const Polygon& a, const Polygon& b);
