@@ -171,10 +171,6 @@ std::optional<NetLine> net_line(DrawnPiece& piece, Report& report) {
     return {};
   }
   net.sew = std::move(*sew);
-  if (net.fold) {
-    unfold_details(piece, *net.fold);
-    report.note("aama.unfolded", piece.place(), "drawn as a half up to its mirror line; read as the whole piece");
-  }
   return net;
 }
 

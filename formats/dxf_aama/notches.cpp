@@ -118,6 +118,18 @@ DrawnNotch from_outside(DrawnNotch notch, const SewLine& sew, const std::optiona
 
 }  // namespace
 
+void drop_notches_on_internal_lines(DrawnPiece& piece, const Points<2>& sew, const std::optional<Points<2>>& cut,
+                                    Report& report) {
+  const auto on_internal_line_only = [&](const DrawnNotch& notch) {
+    return distance_to_ring(sew, notch.at) > on_line && !(cut && distance_to_ring(*cut, notch.at) <= on_line) &&
+           distance_to_lines(piece.internal_lines, notch.at) <= on_line;
+  };
+  for (const DrawnNotch& notch : piece.notches)
+    if (on_internal_line_only(notch))
+      report.note("aama.notch-on-internal-line", piece.place(notch.line), "a notch on an internal line is left out");
+  piece.notches.erase(std::remove_if(piece.notches.begin(), piece.notches.end(), on_internal_line_only), piece.notches.end());
+}
+
 std::vector<Notch> placed_notches(const DrawnPiece& piece, const std::vector<Edge>& outline,
                                   const std::optional<Points<2>>& cut, Report& report) {
   const SewLine sew(outline);
@@ -128,10 +140,6 @@ std::vector<Notch> placed_notches(const DrawnPiece& piece, const std::vector<Edg
     candidate.on_sew = candidate.place.distance <= on_line;
     candidate.on_cut = cut && distance_to_ring(*cut, notch.at) <= on_line;
     if (!candidate.on_sew && !candidate.on_cut) {
-      if (distance_to_lines(piece.internal_lines, notch.at) <= on_line) {
-        report.note("aama.notch-on-internal-line", piece.place(notch.line), "a notch on an internal line is left out");
-        continue;
-      }
       const bool lost = candidate.place.distance > farthest;
       report.warn("aama.notch-off-outline", piece.place(notch.line),
                   "notch " + in_mm(candidate.place.distance) + " from the outline; " +

@@ -139,6 +139,11 @@ std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
                  "draw the outline as a closed line on layer 1");
     return {};
   }
+  drop_notches_on_internal_lines(drawn, net->sew, net->cut, report);
+  if (net->fold) {
+    unfold_details(drawn, *net->fold);
+    report.note("aama.unfolded", drawn.place(), "drawn as a half up to its mirror line; read as the whole piece");
+  }
   TurnPoints turns = turn_points(net->sew, drawn, net->fold);
   if (net->fold) smooth_fold(net->sew, turns.turn, *net->fold);
   join_double_corners(net->sew, turns.turn);

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "formats/aama_pieces.h"
+#include "formats/dxf_aama/dxf_aama.h"
 #include "formats/dxf_text.h"
 #include "formats/formats.h"
 
@@ -167,6 +169,45 @@ TEST_F(AamaCorpus, ValentinaHidesItsSewLineOnLayer8OfAama) {
     const Piece& same = piece(r12, each.name);
     EXPECT_NEAR(signed_area(same), signed_area(each), 1e-7) << each.name;
     EXPECT_EQ(same.outline.size(), each.outline.size()) << each.name;
+  }
+}
+
+// A sheet with the pieces cut net: what is written for real outlines is read again, point by point.
+TEST_F(AamaCorpus, RealPiecesSurviveBeingWrittenAndRead) {
+  for (const char* file : {"accumark/GMH2446F17_INCLALLOWANCE_AAMA.DXF", "accumark/mirrored.DXF", "accumark/drill-holes.DXF",
+                           "accumark/simple.DXF", "clo/clo-pattern.dxf", "valentina/maleshirt_ASTM_R12_1.dxf",
+                           "garmentcode/mh_f38/dress_fitted_pencil_sleeve.json"}) {
+    const Pattern original = pattern(file);
+    CutSheet sheet;
+    for (const Piece& each : original.pieces) {
+      CutPiece cut;
+      cut.piece = each;
+      for (const Edge& edge : each.outline) cut.cut_line.insert(cut.cut_line.end(), edge.points.begin(), edge.points.end() - 1);
+      for (const Notch& notch : each.notches) {
+        Eigen::Vector2d inwards = Eigen::Vector2d::UnitX();
+        const Eigen::Vector2d at = on_edge(*find_edge(each, notch.edge), notch.at, &inwards);
+        cut.notches.push_back({at, inwards, notch});
+      }
+      sheet.placed.push_back({cut, {0, 0}, 0});
+    }
+    const Loaded<Pattern> loaded = read_dxf_aama_bytes(dxf_aama_bytes(sheet), "again.dxf");
+    ASSERT_TRUE(loaded.value) << file << "\n" << all_words(loaded.report);
+    ASSERT_EQ(loaded.value->pieces.size(), original.pieces.size());
+    for (std::size_t i = 0; i < original.pieces.size(); ++i) {
+      const Piece &a = original.pieces[i], &b = loaded.value->pieces[i];
+      const std::string which = std::string(file) + " " + a.name;
+      EXPECT_EQ(a.name, b.name);
+      EXPECT_EQ(a.notches.size(), b.notches.size()) << which;
+      EXPECT_EQ(a.internal_lines.size(), b.internal_lines.size()) << which;
+      EXPECT_EQ(a.drill_holes.size(), b.drill_holes.size()) << which;
+      ASSERT_EQ(a.outline.size(), b.outline.size()) << which;
+      for (std::size_t e = 0; e < a.outline.size(); ++e) {
+        ASSERT_EQ(a.outline[e].points.size(), b.outline[e].points.size()) << which << " " << e;
+        for (std::size_t k = 0; k < a.outline[e].points.size(); ++k)
+          EXPECT_LT((a.outline[e].points[k].at - b.outline[e].points[k].at).norm(), 1e-7) << which;
+        EXPECT_NEAR(b.outline[e].seam_allowance.value_or(0), 0, 1e-5) << which;
+      }
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <numbers>
 
 #include "formats/aama_pieces.h"
@@ -134,14 +135,15 @@ TEST(AamaReader, JoinsCornersDrawnTwiceAHairApart) {
 
 TEST(AamaReader, UnfoldsAHalfAndAllThatIsOnIt) {
   // The right half of a piece whose fold is the y axis, boundary clockwise as drawn, sew line as open runs up to the fold.
-  const std::string half =
-      polyline_on("1", {{0, 0}, {0, 630}}, false) + polyline_on("1", {{0, 630}, {110, 630}}, false) +
-      polyline_on("1", {{110, 630}, {210, 0}}, false) + polyline_on("1", {{210, 0}, {0, 0}}, false) +
-      polyline_on("14", {{0, 620}, {100, 620}}, false) + polyline_on("14", {{100, 620}, {198, 10}}, false) +
-      polyline_on("14", {{198, 10}, {0, 10}}, false) + line_on("6", {0, 0}, {0, 630}) + point_on("2", {0, 620}) +
-      point_on("2", {100, 620}) + point_on("2", {198, 10}) + point_on("2", {0, 10}) + point_on("4", {50, 630}, tag(30, "3")) +
-      point_on("4", {0, 630}, tag(30, "3")) + point_on("13", {40, 100}) + line_on("8", {20, 200}, {60, 200}) +
-      line_on("8", {20, 300}, {60, 300}) + text_on("8", "NM", {20, 300}) + line_on("7", {60, 100}, {60, 500});
+  const std::string half = polyline_on("1", {{0, 0}, {0, 630}}, false) + polyline_on("1", {{0, 630}, {110, 630}}, false) +
+                           polyline_on("1", {{110, 630}, {210, 0}}, false) + polyline_on("1", {{210, 0}, {0, 0}}, false) +
+                           polyline_on("14", {{0, 620}, {100, 620}}, false) +
+                           polyline_on("14", {{100, 620}, {198, 10}}, false) + polyline_on("14", {{198, 10}, {0, 10}}, false) +
+                           line_on("6", {0, 0}, {0, 630}) + point_on("2", {0, 620}) + point_on("2", {100, 620}) +
+                           point_on("2", {198, 10}) + point_on("2", {0, 10}) + point_on("4", {50, 630}, tag(30, "3")) +
+                           point_on("4", {0, 630}, tag(30, "3")) + point_on("13", {40, 100}) +
+                           line_on("8", {20, 200}, {60, 200}) + line_on("8", {20, 300}, {60, 300}) +
+                           text_on("8", "NM", {20, 300}) + point_on("4", {20, 300}) + line_on("7", {60, 100}, {60, 500});
   const Loaded<Pattern> loaded = read(pattern_file(block("A", name + half)));
   ASSERT_TRUE(loaded.value) << all_words(loaded.report);
   EXPECT_TRUE(find(loaded.report, "aama.unfolded"));
@@ -346,6 +348,19 @@ TEST(AamaLayers, AreATableWithoutRepetitions) {
   EXPECT_EQ(aama::number_of(aama::Role::sew_line), "14");
   EXPECT_EQ(aama::notch_layer(NotchKind::v), "4");
   EXPECT_EQ(aama::notch_layer(NotchKind::u), "83");
+}
+
+TEST(AamaLayers, AreTheRowsOfTheReadme) {
+  std::ifstream in(std::string(TOILE_SOURCE_DIR) + "/formats/dxf_aama/README.md");
+  std::vector<std::string> rows, table;
+  for (std::string line; std::getline(in, line);)
+    if (line.size() > 3 && line[0] == '|' && line[2] >= '0' && line[2] <= '9') rows.push_back(line);
+  const char* shapes[] = {"closed", "lines", "segment", "points", "text"};
+  for (const aama::Layer& layer : aama::layers)
+    table.push_back("| " + std::string(layer.number) + " | " + std::string(layer.name) + " | " +
+                    shapes[static_cast<std::size_t>(layer.shape)] + " | " + (layer.read ? "yes" : "no") + " | " +
+                    (layer.written ? "yes" : "no") + " |");
+  EXPECT_EQ(rows, table);
 }
 
 std::vector<std::size_t> corners(const Xy& ring) {
