@@ -15,8 +15,8 @@ namespace {
 
 using Vec = Eigen::Vector3d;
 
-constexpr double disagreement = .02;                         // m
 constexpr double widest_gap = 150 * std::numbers::pi / 180;  // an open front or a slit still surrounds
+constexpr double closed_gap = 60 * std::numbers::pi / 180;   // half a skirt round one leg does not count as its trouser
 
 std::vector<std::pair<int, int>> edges_of(const Eigen::Matrix3Xi& triangles) {
   std::vector<std::pair<int, int>> edges;
@@ -39,7 +39,7 @@ std::vector<int> agreed(const Eigen::MatrixXd& cost, const std::vector<std::pair
     Eigen::VectorXd total = cost.col(static_cast<Eigen::Index>(v));
     if (listen && !beside[v].empty())
       for (const int other : beside[v]) {
-        const double vote = disagreement / static_cast<double>(beside[v].size());
+        const double vote = limb_disagreement / static_cast<double>(beside[v].size());
         total.array() += vote;
         total[limb[static_cast<std::size_t>(other)]] -= vote;
       }
@@ -69,13 +69,13 @@ std::optional<Vec> passing(const LimbAxis& axis, double y) {
   return std::nullopt;
 }
 
-bool surrounds(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, const Vec& centre) {
+bool surrounds(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, const Vec& centre, double most_gap) {
   std::vector<double> angles;
   for (const int v : ring) angles.push_back(std::atan2(positions(0, v) - centre[0], positions(2, v) - centre[2]));
   std::sort(angles.begin(), angles.end());
   double gap = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i) gap = std::max(gap, angles[i] - angles[i - 1]);
-  return gap < widest_gap;
+  return gap < most_gap;
 }
 
 // Thickness of a slice in which every ring holds together.
@@ -106,12 +106,15 @@ class Rings {
   bool applies() const { return trunk_ >= 0 && !legs_.empty(); }
   double top() const { return armpit_; }
 
+  bool surround(const std::vector<int>& vertices, int limb, const Eigen::Matrix3Xd& positions, double y,
+                double most_gap) const {
+    const auto centre = passing(axes_[static_cast<std::size_t>(limb)], y);
+    return centre && surrounds(vertices, positions, *centre, most_gap);
+  }
+
   // The limb that a ring at height y surrounds, -1 when it surrounds none.
   int surrounded(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, double y) const {
-    const auto within = [&](int limb) {
-      const auto centre = passing(axes_[static_cast<std::size_t>(limb)], y);
-      return centre && surrounds(ring, positions, *centre);
-    };
+    const auto within = [&](int limb) { return surround(ring, limb, positions, y, widest_gap); };
     if (y > crotch_ && within(trunk_)) return trunk_;
     int found = -1, legs = 0;
     if (y <= crotch_)
@@ -150,8 +153,14 @@ void follow_rings(const Rings& rings, const Eigen::Matrix3Xd& positions, const s
     if (positions(1, v) < rings.top()) by_part[part[static_cast<std::size_t>(v)]].push_back(v);
   for (const auto& [unused, ring] : by_part) {
     const double y = rings.top() - (slice_of(ring.front()) + .5) * thickness;
-    if (const int found = rings.surrounded(ring, positions, y); found >= 0)
-      for (const int v : ring) limb[static_cast<std::size_t>(v)] = found;
+    const int found = rings.surrounded(ring, positions, y);
+    if (found < 0) continue;
+    // Where a sleeve or a trouser leg joins, the slice holds both: vertices that surround their own limb by themselves keep it.
+    std::map<int, std::vector<int>> by_limb;
+    for (const int v : ring) by_limb[limb[static_cast<std::size_t>(v)]].push_back(v);
+    for (const auto& [own, vertices] : by_limb)
+      if (own == found || !rings.surround(vertices, own, positions, y, closed_gap))
+        for (const int v : vertices) limb[static_cast<std::size_t>(v)] = found;
   }
 }
 

@@ -87,14 +87,15 @@ struct Ray {
   }
 };
 
-struct Judged {
+// The axial part of a place, and what it costs without the air.
+struct Axial {
   RelativePlace place;
   double cost = 0;
 };
 
-Judged judge(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
+Axial axial(const LimbAxis& axis, int limb, const Vec& at) {
   const AxisPoint base = axis.by_level ? at_level(axis, at) : nearest_on(axis, at);
-  Judged result;
+  Axial result;
   RelativePlace& place = result.place;
   place.limb = limb;
   place.along = base.along;
@@ -109,12 +110,18 @@ Judged judge(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
     const Vec forward = Vec::UnitZ() - place.axis[2] * place.axis;
     place.outward = forward.norm() > 1e-3 ? forward.normalized() : Vec(Vec::UnitX());
   }
+  result.cost = std::abs(place.beyond) + bone_share * reach + std::max(0.0, base.along - axis.body_end);
+  return result;
+}
 
+// Finds the skin for `place`; returns the air between bone and point, m.
+double find_skin(const Body& body, const Vec& at, RelativePlace& place) {
+  const double reach = (at - place.on_axis).norm();
   const bool inside = body.distance.distance(at) < 0;
-  const Ray ray{body, base.at, place.outward,
-                body.skin.crossings(base.at, place.outward, inside ? reach + 10 : reach + skin_slack)};
+  const Ray ray{body, place.on_axis, place.outward,
+                body.skin.crossings(place.on_axis, place.outward, inside ? reach + 10 : reach + skin_slack)};
   if (const auto skin = inside ? ray.way_out(reach) : ray.last_skin()) {
-    place.on_skin = base.at + *skin * place.outward;
+    place.on_skin = place.on_axis + *skin * place.outward;
     place.offset = reach - *skin;
   } else {
     const NearestPoint nearest = body.skin.nearest(at);
@@ -122,8 +129,29 @@ Judged judge(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
     place.offset = inside ? -nearest.distance : nearest.distance;
     place.through_skin = false;
   }
-  const double air = inside ? std::abs(place.offset) : ray.air(reach);
-  result.cost = air + std::abs(place.beyond) + bone_share * reach + std::max(0.0, base.along - axis.body_end);
+  return inside ? std::abs(place.offset) : ray.air(reach);
+}
+
+struct Judged {
+  std::vector<double> cost;  // by limb; of limbs that are dearer than the best by more than `slack` at least that much
+  RelativePlace best;
+};
+
+Judged judge(const Body& body, const std::vector<LimbAxis>& axes, const Vec& at, double slack) {
+  std::vector<Axial> found;
+  for (std::size_t limb = 0; limb < axes.size(); ++limb) found.push_back(axial(axes[limb], static_cast<int>(limb), at));
+  std::stable_sort(found.begin(), found.end(), [](const Axial& a, const Axial& b) { return a.cost < b.cost; });
+  Judged result;
+  result.cost.resize(axes.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (Axial& one : found) {
+    if (one.cost <= least + slack) one.cost += find_skin(body, at, one.place);
+    result.cost[static_cast<std::size_t>(one.place.limb)] = one.cost;
+    if (one.cost < least) {
+      least = one.cost;
+      result.best = one.place;
+    }
+  }
   return result;
 }
 
@@ -131,31 +159,29 @@ Judged judge(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
 
 RelativePlace relative_place(const Body& body, const LimbAxis& axis, int limb, const Vec& at) {
   if (axis.points.size() < 2) throw std::invalid_argument("relative_place: the axis has fewer than two points");
-  return judge(body, axis, limb, at).place;
+  RelativePlace place = axial(axis, limb, at).place;
+  find_skin(body, at, place);
+  return place;
 }
 
-RelativePlace relative_place(const Body& body, const Vec& at) {
-  const std::vector<LimbAxis> axes = limb_axes(body.form);
-  Judged best;
-  for (std::size_t limb = 0; limb < axes.size(); ++limb)
-    if (const Judged judged = judge(body, axes[limb], static_cast<int>(limb), at); limb == 0 || judged.cost < best.cost)
-      best = judged;
-  return best.place;
-}
+RelativePlace relative_place(const Body& body, const Vec& at) { return judge(body, limb_axes(body.form), at, 0).best; }
 
 std::vector<RelativePlace> relative_places(const Body& body, const Eigen::Matrix3Xd& positions,
                                            const Eigen::Matrix3Xi& triangles) {
   const std::vector<LimbAxis> axes = limb_axes(body.form);
   Eigen::MatrixXd cost(static_cast<Eigen::Index>(axes.size()), positions.cols());
-  for (Eigen::Index v = 0; v < positions.cols(); ++v)
-    for (Eigen::Index limb = 0; limb < cost.rows(); ++limb)
-      cost(limb, v) = judge(body, axes[static_cast<std::size_t>(limb)], static_cast<int>(limb), positions.col(v)).cost;
-  const std::vector<int> limbs = coherent_limbs(body.form, axes, cost, positions, triangles);
   std::vector<RelativePlace> places;
-  places.reserve(limbs.size());
+  places.reserve(static_cast<std::size_t>(positions.cols()));
+  for (Eigen::Index v = 0; v < positions.cols(); ++v) {
+    const Judged judged = judge(body, axes, positions.col(v), limb_disagreement);
+    cost.col(v) = Eigen::Map<const Eigen::VectorXd>(judged.cost.data(), cost.rows());
+    places.push_back(judged.best);
+  }
+  const std::vector<int> limbs = coherent_limbs(body.form, axes, cost, positions, triangles);
   for (std::size_t v = 0; v < limbs.size(); ++v)
-    places.push_back(
-        relative_place(body, axes[static_cast<std::size_t>(limbs[v])], limbs[v], positions.col(static_cast<Eigen::Index>(v))));
+    if (limbs[v] != places[v].limb)
+      places[v] =
+          relative_place(body, axes[static_cast<std::size_t>(limbs[v])], limbs[v], positions.col(static_cast<Eigen::Index>(v)));
   return places;
 }
 

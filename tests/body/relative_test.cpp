@@ -185,6 +185,25 @@ TEST(RelativePlaces, GiveASleeveTheArmAndACapeTheTrunk) {
     EXPECT_EQ(name_of(place.limb), "trunk");
 }
 
+TEST(RelativePlaces, KeepASleeveWholeWhereItJoinsTheBodice) {
+  // One mesh: a bodice and two sleeves joined to it by a triangle each, as at an underarm seam.
+  const Vec shoulder(.16, 1.35, 0), wrist(.50, 1.01, 0);
+  const auto bodice = test::tube({0, 1.27, 0}, {0, .9, 0}, .16, .17);
+  const auto sleeve = test::tube(shoulder + .15 * (wrist - shoulder), wrist, .06, .06);
+  auto garment = test::both(bodice, sleeve);
+  const auto count = static_cast<int>(bodice.positions.cols());
+  for (int b = 0; b < count; ++b)
+    for (int s = count; s < static_cast<int>(garment.positions.cols()); s += 7)
+      if ((garment.positions.col(b) - garment.positions.col(s)).norm() < .03) {
+        garment.triangles.conservativeResize(3, garment.triangles.cols() + 1);
+        garment.triangles.rightCols(1) << b, s, s + 1;
+      }
+  ASSERT_GT(garment.triangles.cols(), bodice.triangles.cols() + sleeve.triangles.cols());
+  const auto places = relative_places(body(), garment.positions, garment.triangles);
+  for (int v = 0; v < static_cast<int>(places.size()); ++v)
+    EXPECT_EQ(name_of(places[static_cast<std::size_t>(v)].limb), v < count ? "trunk" : "arm.L");
+}
+
 TEST(RelativePlaces, NeedNoTriangles) {
   Eigen::Matrix3Xd points(3, 2);
   points << 0, .1, 1.1, .4, .2, .1;
