@@ -62,7 +62,7 @@ Surface fitted_surface(const Figure& figure, Net& net) {
     even_out(net, form, smoothing_rounds);
   }
   for (const auto& [name, girth] : taped(mirrored_surface(net), figure))
-    aim.girths[name] += std::clamp(figure.girths.at(name) - girth, -.01, .01);
+    if (figure.girths.count(name)) aim.girths[name] += std::clamp(figure.girths.at(name) - girth, -.01, .01);
   even_out(net, BodyForm(aim, fitted_scales(aim)), 4);
   return mirrored_surface(net);
 }

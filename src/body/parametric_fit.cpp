@@ -37,7 +37,7 @@ std::map<std::string, TapePlace> tape_places(const Figure& figure) {
   std::map<std::string, TapePlace> places;
   const Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   const auto& y = figure.levels;
-  for (const char* name : {"hip", "seat", "high_hip", "waist", "ribs", "underbust", "bust"}) {
+  for (const char* name : {"hip", "seat", "high_hip", "waist", "underbust", "bust"}) {
     const Section& s = figure.sections.at(name);
     places[name] = {{0, y.at(name), s.centre_v + (s.front - s.back) / 2}, up, true};
   }
@@ -81,6 +81,7 @@ FormScales fitted_scales(const Figure& figure) {
     const BodyForm form(figure, scales);
     double worst = 0;
     for (const auto& [name, place] : places) {
+      if (!figure.girths.count(name)) continue;
       const double error = tape_on_form(form, place) - figure.girths.at(name);
       worst = std::max(worst, std::abs(error));
       if (name == "bust" && figure.female) {

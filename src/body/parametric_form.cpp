@@ -35,14 +35,14 @@ Loft trunk_loft(const Figure& figure, const FormScales& scales) {
   // Below the waist the legs carry hips and seat; the trunk fills the middle and stays behind them.
   const Section hip = section_of(figure, scales, "hip");
   const double depth = hip.front + hip.back;
-  const Section core = between(front_of(hip) - .045 * depth, back_of(hip) + .14 * depth, .95 * hip.half_width, 2.4);
-  const Section floor = between(front_of(hip) - .11 * depth, back_of(hip) + .22 * depth, .62 * hip.half_width, 2);
+  const Section core = between(front_of(hip) - .035 * depth, back_of(hip) + .14 * depth, .95 * hip.half_width, 2.4);
+  const Section floor = between(front_of(hip) - .07 * depth, back_of(hip) + .22 * depth, .62 * hip.half_width, 2);
   knots.push_back({y.at("crotch") - scales.crotch_drop, floor});
   knots.push_back({y.at("hip"), core});
-  Section seat = section_of(figure, scales, "seat");
+  Section seat = scaled(figure.sections.at("seat"), scale_of(scales, figure.girths.count("seat") ? "seat" : "hip"));
   seat.centre_v += .02 * (seat.front + seat.back), seat.back -= .04 * (seat.front + seat.back);
-  knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), seat});
-  for (const char* name : {"high_hip", "waist", "ribs", "underbust", "bust"}) at_level(name);
+  knots.push_back({std::max(y.at("seat"), y.at("hip") + .02 * figure.height), seat});
+  for (const char* name : {"high_hip", "waist", "underbust", "bust"}) at_level(name);
 
   // Above the bust: women 38, cm, fitted to shoulders, depth of chest and neck.
   struct Row {
@@ -68,7 +68,7 @@ Loft trunk_loft(const Figure& figure, const FormScales& scales) {
     s.centre_v += (forward - backward) / 2, s.front += (forward + backward) / 2, s.back += (forward + backward) / 2;
     knots.push_back({row.y * cm * tall, s});
   }
-  return Loft({}, knots, .8 * (y.at("hip") - y.at("crotch")) + scales.crotch_drop, .04 * tall, .010 * tall);
+  return Loft({}, knots, .8 * (y.at("hip") - y.at("crotch")) + scales.crotch_drop, .04 * tall, .013 * tall);
 }
 
 Loft head_loft(const Figure& figure) {
@@ -114,20 +114,21 @@ Loft leg_loft(const Figure& figure, const FormScales& scales) {
   Section thigh = section_of(figure, scales, "thigh");
   thigh.centre_u = thigh.half_width + gap_between_thighs, thigh.centre_v = (f ? .0267 : .0141) * tall;
   knots.push_back({y.at("crotch") - drop, thigh});
-  const Section hip = section_of(figure, scales, "hip"), seat = section_of(figure, scales, "seat");
+  const Section hip = section_of(figure, scales, "hip");
+  const Section seat = scaled(figure.sections.at("seat"), scale_of(scales, figure.girths.count("seat") ? "seat" : "hip"));
   const double depth = hip.front + hip.back, seat_depth = seat.front + seat.back;
   Section upper = between(front_of(hip) - .01 * depth, back_of(hip), .48 * hip.half_width, 2.1);
   upper.centre_u = hip.half_width - upper.half_width;
   knots.push_back({y.at("hip"), upper});
   Section top = between(front_of(seat) - .07 * seat_depth, back_of(seat), .45 * seat.half_width, 2);
   top.centre_u = .51 * seat.half_width;
-  knots.push_back({std::max(y.at("seat"), y.at("hip") + .012), top});
+  knots.push_back({std::max(y.at("seat"), y.at("hip") + .02 * tall), top});
   const Section high = section_of(figure, scales, "high_hip");
   const double high_depth = high.front + high.back;
   top = between(front_of(high) - .25 * high_depth, back_of(high) + .03 * high_depth, .40 * high.half_width, 2);
   top.centre_u = .48 * high.half_width;
   knots.push_back({y.at("high_hip"), top});
-  return Loft({}, knots, 0, .5 * (y.at("high_hip") - y.at("seat")), .007 * tall);
+  return Loft({}, knots, 0, .5 * (y.at("high_hip") - y.at("seat")), .007 * tall, gap_between_thighs);
 }
 
 Loft arm_loft(const Figure& figure, const FormScales& scales) {
@@ -204,7 +205,10 @@ std::vector<Ellipsoid> breasts(const Figure& figure, const FormScales& scales, c
   const Section cage = trunk.section(y);
   const double u = std::min(x / cage.half_width, .9);
   const double skin = cage.centre_v + cage.front * std::pow(1 - std::pow(u, cage.front_exponent), 1 / cage.front_exponent);
-  return {{{x, y - .003 * size, skin - .015 * size + scales.bust_forward}, {1.15 * radius, radius, radius}}};
+  const double z = skin - .015 * size + scales.bust_forward;
+  // The breast, and a smaller one behind and above it for the slope that leads up to the collar bone.
+  return {{{x, y - .003 * size, z}, {1.15 * radius, radius, radius}},
+          {{.97 * x, y + .040 * size, z - .026 * size}, {.90 * radius, .75 * radius, .70 * radius}}};
 }
 
 }  // namespace

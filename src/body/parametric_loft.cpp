@@ -65,7 +65,8 @@ Section scaled(const Section& section, double factor) {
   return result;
 }
 
-Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness)
+Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness,
+           double clear)
     : frame_(frame), first_cap_(first_cap), last_cap_(last_cap) {
   if (knots.size() < 2) throw std::invalid_argument("a loft needs at least two knots");
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -85,7 +86,13 @@ Loft::Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double fi
     for (int i = 0; i < samples; ++i)
       rows_[static_cast<std::size_t>(i)](channel) = hermite(x, y, slope, std::min(begin_ + i * step_, end_));
   }
+  const auto keep_clear = [&] {
+    if (clear >= 0)
+      for (Row& r : rows_) r(0) = std::max(r(0), r(2) + clear);
+  };
+  keep_clear();
   if (softness > 0) soften(softness);
+  keep_clear();
 }
 
 void Loft::soften(double softness) {

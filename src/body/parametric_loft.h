@@ -43,9 +43,9 @@ struct FormSample {
 class Loft {
  public:
   // At least two knots, ascending; throws std::invalid_argument otherwise. `softness` is the standard deviation, m, of the
-  // Gaussian that takes the bends of the cubics out along the axis.
-  Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness = 0);
-
+  // Gaussian that takes the bends of the cubics out along the axis; `clear` keeps every section that far from u = 0, m.
+  Loft(const LoftFrame& frame, const std::vector<LoftKnot>& knots, double first_cap, double last_cap, double softness = 0,
+       double clear = -1);
   FormSample sample(const Eigen::Vector3d& at) const;
   Section section(double at) const;
   // The point of the axis curve (through the section centres) at `at`.

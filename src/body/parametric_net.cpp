@@ -320,18 +320,26 @@ class Layout {
     // The first ring round the arm alone: where its plane leaves the armpit by a hand's breadth of triangles.
     const Eigen::Vector3d pit = way_out(form_, {0, armpit_, figure_.shoulder.z()}, Eigen::Vector3d::UnitX());
     const double first = std::max(along.dot(pit - arm.frame().origin), .02) + .022;
-    const double length_to_tip = arm.end() - first, last = arm.end() - .012 * figure_.height;
+    const double length_to_tip = arm.end() - first, last = arm.end() - .026 * figure_.height;
     Rows below = armhole_;
     lay_between(below, ring(form_, arm.centre(first), start, along, fine), false);
     const int rows = steps(length_to_tip, 4);
     for (int i = 1; i <= rows; ++i)
       lay_tube(below, ring(form_, arm.centre(first + (last - first) * i / rows), start, along, fine), false);
+    // Finger tips: rays that lean more and more along the arm, then the rest sewn shut.
     const Chain rim = chain_of(below);
     const Eigen::Vector3d centre = arm.centre(last);
-    Chain inner;
-    for (const Eigen::Vector3d& p : rim) inner.push_back(form_.projected(centre + .55 * (p - centre) + .01 * along, 8));
-    lay_tube(below, inner, false);
-    fold(below, arm.frame().v, false);
+    const int rings = steps(.026 * figure_.height, 2);
+    for (int i = 1; i <= rings; ++i) {
+      const double lean = 74 * degree * i / rings;
+      Chain inner;
+      for (const Eigen::Vector3d& p : rim)
+        inner.push_back(way_out(form_, centre, std::cos(lean) * (p - centre).normalized() + std::sin(lean) * along));
+      lay_tube(below, inner, false);
+    }
+    const int tip = add({way_out(form_, centre, along)}).front();
+    for (std::size_t i = 0; i < below.size() && !reference_; ++i)
+      net_.triangles.push_back({below[i], below[(i + 1) % below.size()], tip});
   }
 
   void lay_leg() {
