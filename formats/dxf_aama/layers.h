@@ -42,7 +42,7 @@ struct Layer {
 };
 
 // clang-format off
-constexpr Layer layers[] = {
+inline constexpr Layer layers[] = {
     {"1",  "piece boundary (cut line) and texts",     Role::cut_line,            Shape::closed,  true,  true},
     {"2",  "turn points",                             Role::turn_point,          Shape::points,  true,  true},
     {"3",  "curve points",                            Role::curve_point,         Shape::points,  true,  true},

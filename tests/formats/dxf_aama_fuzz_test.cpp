@@ -53,7 +53,7 @@ TEST(DxfAamaFuzz, RandomDamageNeverCrashes) {
     std::string bytes = whole;
     const std::size_t flips = 1 + below(6);
     for (std::size_t i = 0; i < flips; ++i)
-      bytes[below(bytes.size())] = static_cast<char>(round % 2 ? random() : "0123456789.-\n "[below(14)]);
+      bytes[below(bytes.size())] = round % 2 ? static_cast<char>(random()) : "0123456789.-\n "[below(14)];
     if (round % 5 == 0) bytes.erase(below(bytes.size() - 200), below(200));
     const Loaded<Pattern> loaded = read_dxf_aama_bytes(bytes, "damaged.dxf");
     expect_sound(loaded);

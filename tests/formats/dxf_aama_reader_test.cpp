@@ -1,16 +1,11 @@
-// The dialects of real files, each in a small file that has nothing else.
+// Outlines as programs draw them, each in a small file that has nothing else.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <numbers>
 
-#include "formats/aama_pieces.h"
 #include "formats/dxf_aama/dxf_aama.h"
-#include "formats/dxf_aama/layers.h"
-#include "formats/dxf_aama/texts.h"
-#include "formats/dxf_aama/turn_points.h"
 #include "formats/dxf_text.h"
 
 namespace toile {
@@ -193,54 +188,6 @@ TEST(AamaReader, TakesTheDenserCopyOfALine) {
               64 * .02 * std::sin(pi / 32), 1e-6);
 }
 
-TEST(AamaReader, ReadsNotchesOfEveryWriter) {
-  const std::string notches = point_on("4", {0, 300}, tag(30, "-3.998") + tag(39, "2.9998")) +  // AccuMark: negative depth
-                              point_on("4", {420, 300}) +                                       // CLO: neither depth nor width
-                              point_on("81", {200, 0}, tag(30, "5") + tag(39, "2") + tag(50, "90")) +
-                              line_on("4", {100, 0}, {100, 6}) + line_on("4", {300, 6}, {300, 0});  // Valentina 0.7: lines
-  const Piece piece = piece_of(pattern_file(block("A", cut + sew + notches)));
-  ASSERT_EQ(piece.notches.size(), 5u);
-  const auto at = [&](std::size_t i) { return on_edge(*find_edge(piece, piece.notches[i].edge), piece.notches[i].at); };
-  EXPECT_EQ(piece.notches[0].kind, NotchKind::v);
-  EXPECT_NEAR(piece.notches[0].depth, 3.998e-3, 1e-9);
-  EXPECT_NEAR((at(0) - Eigen::Vector2d(.01, .3)).norm(), 0, 1e-9);
-  EXPECT_EQ(piece.notches[1].kind, NotchKind::slit);
-  EXPECT_NEAR(piece.notches[1].depth, 4e-3, 1e-9);
-  EXPECT_EQ(piece.notches[2].kind, NotchKind::castle);
-  EXPECT_NEAR((at(3) - Eigen::Vector2d(.1, .01)).norm(), 0, 1e-9);
-  EXPECT_NEAR((at(4) - Eigen::Vector2d(.3, .01)).norm(), 0, 1e-9);
-  EXPECT_NEAR(piece.notches[4].depth, 6e-3, 1e-9);
-}
-
-TEST(AamaReader, CountsANotchOnBothLinesOnceAndReportsStrayOnes) {
-  const std::string notches = point_on("4", {0, 300}) + point_on("4", {10, 300.4}) + point_on("4", {0, 300}) +
-                              point_on("4", {0, 320}) + point_on("4", {410, 120}) + line_on("8", {100, 100}, {200, 100}) +
-                              point_on("4", {150, 100}) + point_on("4", {16, 400}) + point_on("4", {200, 300});
-  const Loaded<Pattern> loaded = read(pattern_file(block("A", cut + sew + notches)));
-  ASSERT_TRUE(loaded.value);
-  EXPECT_EQ(loaded.value->pieces[0].notches.size(), 4u);
-  EXPECT_EQ(count(loaded.report, "aama.notch-on-internal-line"), 1);
-  EXPECT_EQ(count(loaded.report, "aama.notch-off-outline"), 2);
-}
-
-TEST(AamaReader, PutsANotchOnACornerAtTheStartOfAnEdge) {
-  const Piece piece =
-      piece_of(pattern_file(block("A", polyline_on("1", rectangle(0, 0, 400, 600), true) + point_on("4", {400, 0}))));
-  ASSERT_EQ(piece.notches.size(), 1u);
-  EXPECT_EQ(piece.notches[0].edge, "e1");
-  EXPECT_EQ(piece.notches[0].at, 0);
-}
-
-TEST(AamaReader, KeepsLinesOfUnknownLayersAndSaysSo) {
-  const std::string odd = line_on("100", {50, 50}, {60, 60}) + line_on("DRAFT", {50, 50}, {60, 60}) +
-                          line_on("5", {50, 50}, {60, 60}) + tag(0, "SPLINE") + tag(8, "8") + tag(70, "8");
-  const Loaded<Pattern> loaded = read(pattern_file(block("A", cut + odd)));
-  ASSERT_TRUE(loaded.value);
-  EXPECT_EQ(loaded.value->pieces[0].internal_lines.size(), 2u);
-  EXPECT_EQ(count(loaded.report, "aama.unknown-layer"), 2);
-  EXPECT_EQ(count(loaded.report, "aama.unsupported-entity"), 1);
-}
-
 TEST(AamaReader, HonoursWhereABlockIsInserted) {
   const std::string file =
       section("BLOCKS", block("A", name + polyline_on("1", rectangle(0, 0, 100, 300), true) + grain)) +
@@ -251,68 +198,6 @@ TEST(AamaReader, HonoursWhereABlockIsInserted) {
   EXPECT_NEAR(signed_area(piece), .2 * .6, 1e-9);
   EXPECT_LT((piece.outline[0].points[0].at - Eigen::Vector2d(1, 0)).norm(), 1e-9);
   EXPECT_LT((piece.outline[0].points[1].at - Eigen::Vector2d(1, .2)).norm(), 1e-9);
-}
-
-TEST(AamaReader, TakesPiecesNotLayoutBlocks) {
-  const Loaded<Pattern> loaded =
-      read(pattern_file(block("$MODEL_SPACE", "") + block("*Paper_Space", text_on("1", "x")) + block("FRONT", cut)));
-  ASSERT_TRUE(loaded.value);
-  ASSERT_EQ(loaded.value->pieces.size(), 1u);
-  EXPECT_EQ(loaded.value->pieces[0].name, "FRONT");
-}
-
-TEST(AamaReader, ReadsTheSampleSizeOfANest) {
-  std::string blocks;
-  for (const int size : {36, 38, 40})
-    blocks += block("F_" + std::to_string(size), name + text_on("1", "SIZE: " + std::to_string(size)) +
-                                                     polyline_on("1", rectangle(0, 0, 10 * size, 600), true));
-  const Loaded<Pattern> loaded = read(pattern_file(blocks, {"Units: METRIC", "Sample Size: 38"}));
-  ASSERT_TRUE(loaded.value) << all_words(loaded.report);
-  ASSERT_EQ(loaded.value->pieces.size(), 1u);
-  EXPECT_NEAR(signed_area(loaded.value->pieces[0]), .38 * .6, 1e-9);
-  EXPECT_NE(find(loaded.report, "aama.sizes-ignored")->text.find("36, 40"), std::string::npos);
-}
-
-TEST(AamaReader, TakesTheMarkedUpSizeWhenTheSampleSizeIsNotNamed) {
-  const std::string blocks = block("F_36", name + text_on("1", "Size: 36") + cut) +
-                             block("F_38", name + text_on("1", "Size: 38") + cut + point_on("2", {0, 0}));
-  const Loaded<Pattern> loaded = read(pattern_file(blocks, {"Units: METRIC", "Sample Size: NONE"}));
-  ASSERT_TRUE(loaded.value) << all_words(loaded.report);
-  EXPECT_EQ(loaded.value->sample_size, "38");
-  EXPECT_TRUE(find(loaded.report, "aama.sample-size"));
-}
-
-TEST(AamaReader, NumbersUnnamedPiecesWhoseBlocksHaveOneName) {
-  const Loaded<Pattern> loaded = read(pattern_file(block("DETAIL", cut) + block("DETAIL", cut)));
-  ASSERT_TRUE(loaded.value) << all_words(loaded.report);
-  EXPECT_EQ(loaded.value->pieces[1].name, "DETAIL-2");
-  EXPECT_TRUE(find(loaded.report, "aama.piece-renamed"));
-}
-
-TEST(AamaReader, ReadsPieceTexts) {
-  const std::string texts = text_on("1", "PIECE NAME:left front") + text_on("1", "quantity : 1,0") +
-                            text_on("1", "Fabric: lining") + text_on("1", "ANNOTATION: cut on bias") +
-                            text_on("1", "ANNOTATION:") + text_on("1", "CATEGORY: FRONT") + text_on("1", "# 4");
-  const Piece piece = piece_of(pattern_file(block("A", texts + cut)));
-  EXPECT_EQ(piece.name, "left front");
-  EXPECT_EQ(piece.quantity, 1);
-  EXPECT_EQ(piece.mirrored_quantity, 0);
-  EXPECT_EQ(piece.material, "lining");
-  EXPECT_EQ(piece.annotations, (std::vector<std::string>{"cut on bias", "CATEGORY: FRONT"}));
-}
-
-TEST(AamaReader, ReadsQuantitiesAsRightAndLeft) {
-  const auto quantity = [&](const std::string& text) {
-    const Piece piece = piece_of(pattern_file(block("A", text_on("1", "Quantity: " + text) + cut)));
-    return std::pair{piece.quantity, piece.mirrored_quantity};
-  };
-  EXPECT_EQ(quantity("2"), (std::pair{2, 0}));
-  EXPECT_EQ(quantity("1,1"), (std::pair{1, 1}));
-  EXPECT_EQ(quantity("0,1"), (std::pair{0, 1}));
-  EXPECT_EQ(quantity("0"), (std::pair{1, 0}));
-  EXPECT_EQ(quantity("0,0"), (std::pair{1, 0}));
-  EXPECT_EQ(quantity("two"), (std::pair{1, 0}));
-  EXPECT_EQ(quantity("-1"), (std::pair{1, 0}));
 }
 
 TEST(AamaReader, SaysWhereAnOutlineIsOpenInMillimetres) {
@@ -337,60 +222,6 @@ TEST(AamaReader, RefusesWhatIsNoPattern) {
   EXPECT_EQ(error_of(pattern_file(block("A", polyline_on("1", {{0, 0}, {300, 0}, {300, 0}}, true)))).code, "aama.open-outline");
   const std::string file = pattern_file(block("A", cut));
   EXPECT_EQ(error_of(file.substr(0, file.size() / 2)).code, "dxf.truncated");
-}
-
-TEST(AamaLayers, AreATableWithoutRepetitions) {
-  for (const aama::Layer& a : aama::layers) {
-    EXPECT_EQ(aama::find_layer(a.number), &a);
-    EXPECT_TRUE(a.read || !a.written) << a.number;
-  }
-  EXPECT_EQ(aama::role_of("12"), aama::Role::unknown);
-  EXPECT_EQ(aama::number_of(aama::Role::sew_line), "14");
-  EXPECT_EQ(aama::notch_layer(NotchKind::v), "4");
-  EXPECT_EQ(aama::notch_layer(NotchKind::u), "83");
-}
-
-TEST(AamaLayers, AreTheRowsOfTheReadme) {
-  std::ifstream in(std::string(TOILE_SOURCE_DIR) + "/formats/dxf_aama/README.md");
-  std::vector<std::string> rows, table;
-  for (std::string line; std::getline(in, line);)
-    if (line.size() > 3 && line[0] == '|' && line[2] >= '0' && line[2] <= '9') rows.push_back(line);
-  const char* shapes[] = {"closed", "lines", "segment", "points", "text"};
-  for (const aama::Layer& layer : aama::layers)
-    table.push_back("| " + std::string(layer.number) + " | " + std::string(layer.name) + " | " +
-                    shapes[static_cast<std::size_t>(layer.shape)] + " | " + (layer.read ? "yes" : "no") + " | " +
-                    (layer.written ? "yes" : "no") + " |");
-  EXPECT_EQ(rows, table);
-}
-
-std::vector<std::size_t> corners(const Xy& ring) {
-  const std::vector<bool> flags = aama::corners_by_angle(ring, 20 * std::numbers::pi / 180);
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    if (flags[i]) found.push_back(i);
-  return found;
-}
-
-TEST(CornersByAngle, AreNotTheVerticesOfASampledCurve) {
-  for (const int n : {12, 16, 24, 60, 400}) {
-    Xy circle;
-    for (int i = 0; i < n; ++i)
-      circle.emplace_back(std::cos(2 * i * std::numbers::pi / n), std::sin(2 * i * std::numbers::pi / n));
-    EXPECT_TRUE(corners(circle).empty()) << n;
-  }
-  EXPECT_EQ(corners(rectangle(0, 0, 1, 2)).size(), 4u);
-}
-
-TEST(CornersByAngle, AreFoundWhereACurveMeetsALineHoweverDenselyItIsDrawn) {
-  for (const int n : {6, 20, 200}) {  // a half disc: two corners of 90 degrees
-    Xy half;
-    for (int i = 0; i <= n; ++i) half.emplace_back(std::cos(i * std::numbers::pi / n), std::sin(i * std::numbers::pi / n));
-    EXPECT_EQ(corners(half), (std::vector<std::size_t>{0, static_cast<std::size_t>(n)})) << n;
-  }
-}
-
-TEST(CornersByAngle, CountACornerDrawnWithTwoNearVerticesOnce) {
-  EXPECT_EQ(corners({{0, 0}, {1, 0}, {1, 1}, {.0001, 1}, {0, .9999}}).size(), 4u);
 }
 
 }  // namespace
