@@ -1,0 +1,129 @@
+// What every edit operation promises. Being in operations() is being tested here.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <ostream>
+#include <stdexcept>
+
+#include "edit/operation.h"
+#include "style/synthetic_skirt.h"
+
+namespace toile {
+
+void PrintTo(const EditOperation& operation, std::ostream* out) { *out << operation.name; }
+
+namespace {
+
+struct Scene {
+  testing::SyntheticSkirt skirt = testing::synthetic_skirt({.columns = 48, .rows = 30});
+  Body body = make_body(skirt.form);
+  EditInput input() const { return {skirt.pattern, skirt.garment, skirt.drape, body}; }
+};
+
+const Scene& scene() {
+  static const Scene one;
+  return one;
+}
+
+// Its defaults, and something small for what must be given.
+EditArguments plain(const EditOperation& operation) {
+  EditArguments arguments;
+  for (const Parameter& parameter : operation.parameters)
+    if (!parameter.by_default)
+      arguments[parameter.name] = parameter.unit == "m" ? "2 cm" : parameter.unit == "loop" ? "hem" : "1";
+  return arguments;
+}
+
+class EditContract : public ::testing::TestWithParam<EditOperation> {};
+
+TEST_P(EditContract, DescribesItselfAndItsParameters) {
+  EXPECT_FALSE(GetParam().name.empty());
+  EXPECT_FALSE(GetParam().summary.empty());
+  for (const Parameter& parameter : GetParam().parameters) {
+    EXPECT_FALSE(parameter.name.empty());
+    EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
+    EXPECT_TRUE(parameter.unit == "m" || parameter.unit == "" || parameter.unit == "loop") << parameter.unit;
+    EXPECT_TRUE(!parameter.least || !parameter.most || *parameter.least < *parameter.most) << parameter.name;
+  }
+}
+
+TEST_P(EditContract, KeepsTheGarmentAndGivesFinitePositions) {
+  const Target target = GetParam().apply(scene().input(), plain(GetParam()));
+  EXPECT_EQ(target.garment, scene().skirt.garment);
+  EXPECT_EQ(target.source, scene().skirt.drape);
+  ASSERT_EQ(target.positions.cols(), target.source.cols());
+  EXPECT_TRUE(target.positions.allFinite());
+  EXPECT_TRUE(target.report.ok());
+  EXPECT_FALSE(target.held.empty());
+  for (const int v : target.held) EXPECT_TRUE(v >= 0 && v < target.source.cols());
+  for (const int v : target.anchor) EXPECT_EQ(target.positions.col(v), target.source.col(v));
+  EXPECT_GE(target.normal_deviation_max, target.normal_deviation_mean);
+}
+
+TEST_P(EditContract, ChangesSomethingAndTurnsNoTriangleOver) {
+  const Target target = GetParam().apply(scene().input(), plain(GetParam()));
+  EXPECT_GT((target.positions - target.source).cwiseAbs().maxCoeff(), 1e-3);
+  for (Eigen::Index t = 0; t < target.garment.triangles.cols(); ++t) {
+    const auto normal = [&](const Eigen::Matrix3Xd& x) {
+      const Eigen::Vector3d a = x.col(target.garment.triangles(0, t));
+      return Eigen::Vector3d((x.col(target.garment.triangles(1, t)) - a).cross(x.col(target.garment.triangles(2, t)) - a));
+    };
+    EXPECT_GT(normal(target.positions).dot(normal(target.source)), 0) << "triangle " << t;
+  }
+}
+
+TEST_P(EditContract, GoesNoDeeperIntoTheBodyThanTheSource) {
+  const Target target = GetParam().apply(scene().input(), plain(GetParam()));
+  const auto deepest = [&](const Eigen::Matrix3Xd& x) {
+    double least = 0;
+    for (Eigen::Index v = 0; v < x.cols(); ++v) least = std::min(least, scene().body.distance.distance(x.col(v)));
+    return least;
+  };
+  EXPECT_GE(deepest(target.positions), deepest(target.source) - 1e-4);
+}
+
+TEST_P(EditContract, GivesTheSameBytesTwice) {
+  EXPECT_EQ(GetParam().apply(scene().input(), plain(GetParam())).positions,
+            GetParam().apply(scene().input(), plain(GetParam())).positions);
+}
+
+TEST_P(EditContract, RefusesNonsenseWithPlaceAndRemedy) {
+  const auto expect_refused = [&](const EditArguments& arguments, const std::string& what) {
+    try {
+      GetParam().apply(scene().input(), arguments);
+      ADD_FAILURE() << what << " was accepted";
+    } catch (const BadInput& bad) {
+      EXPECT_EQ(bad.finding().code.rfind("edit.", 0), 0u) << what << ": " << bad.finding().code;
+      EXPECT_FALSE(bad.finding().place.empty()) << what;
+      EXPECT_FALSE(bad.finding().remedy.empty()) << what;
+    }
+  };
+  EditArguments arguments = plain(GetParam());
+  arguments["no such parameter"] = "1";
+  expect_refused(arguments, "an unknown parameter");
+  for (const Parameter& parameter : GetParam().parameters) {
+    for (const char* nonsense : {"", "banana", "10", "nan m", "1e9 m", "no.such, loop:7"}) {
+      if (parameter.unit == "" && std::string(nonsense) == "10") continue;
+      arguments = plain(GetParam());
+      arguments[parameter.name] = nonsense;
+      expect_refused(arguments, parameter.name + " = '" + nonsense + "'");
+    }
+    if (parameter.by_default) continue;
+    arguments = plain(GetParam());
+    arguments.erase(parameter.name);
+    expect_refused(arguments, "no " + parameter.name);
+  }
+}
+
+TEST_P(EditContract, RefusesADrapeOfAnotherGarment) {
+  const Eigen::Matrix3Xd other = scene().skirt.drape.leftCols(100);
+  const EditInput input{scene().skirt.pattern, scene().skirt.garment, other, scene().body};
+  EXPECT_THROW(GetParam().apply(input, plain(GetParam())), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EditContract, ::testing::ValuesIn(operations()),
+                         [](const auto& operation) { return operation.param.name; });
+
+}  // namespace
+}  // namespace toile
