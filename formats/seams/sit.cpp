@@ -42,7 +42,7 @@ std::optional<Sitting> read_sitting(const TomlNode& table, Sidecar& sidecar) {
                          "Write for example on = { part = \"trunk\", level = \"waist\", drop = \"4 cm\", angle = \"0 deg\" }");
     return std::nullopt;
   }
-  refuse_unknown_keys(table, {"part", "level", "drop", "angle", "around", "first"}, sidecar.file, "seam.unknown-key",
+  refuse_unknown_keys(table, {"part", "level", "drop", "angle", "around", "first", "grain"}, sidecar.file, "seam.unknown-key",
                       sidecar.report);
   Sitting sitting;
   bool good = true;
@@ -60,6 +60,14 @@ std::optional<Sitting> read_sitting(const TomlNode& table, Sidecar& sidecar) {
   take("angle", angle_of, sitting.on.angle);
   take("around", truth_of, sitting.around);
   take("first", angle_of, sitting.first);
+  std::string grain = "upright";
+  take("grain", text_of, grain);
+  sitting.on.grain_round = grain == "round";
+  if (grain != "upright" && grain != "round") {
+    sidecar.report.error("seams.bad-value", sidecar.at(*find(table, "grain")), "'grain' is '" + grain + "'",
+                         "Write \"upright\", or \"round\" for a piece whose grain runs round the body, such as a waistband");
+    good = false;
+  }
   if (std::find(parts.begin(), parts.end(), sitting.on.part) == parts.end()) {
     sidecar.report.error("seam.unknown-part", sidecar.at(*find(table, "part")),
                          "the body has no part '" + sitting.on.part + "'", "The parts are trunk, arm.L, arm.R, leg.L, leg.R");
@@ -166,7 +174,8 @@ std::string three_text(const Eigen::Vector3d& values, double unit, const std::st
 std::string on_text(const BodyPart& on) {
   return "{ part = " + toml_quoted(on.part) + ", level = " + toml_quoted(on.level) +
          ", drop = " + toml_quoted(exact_number(on.drop * 1e3) + " mm") +
-         ", angle = " + toml_quoted(exact_number(on.angle / units::degree) + " deg") + " }";
+         ", angle = " + toml_quoted(exact_number(on.angle / units::degree) + " deg") +
+         (on.grain_round ? ", grain = \"round\"" : "") + " }";
 }
 
 }  // namespace

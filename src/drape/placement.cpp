@@ -58,32 +58,72 @@ PartFrame limb_frame(const Mannequin& form, const BodyPart& part, const std::str
   return {upper->from - part.drop * up, up, front, up.cross(front)};
 }
 
-// Largest distance of the body from the frame's axis between `below` and the frame's origin.
-double body_radius(const Mannequin& form, const PartFrame& frame, double below, bool trunk) {
-  double radius = 0;
+// Radius round the frame's axis by depth below its origin, in rows of `row_height`.
+using Radii = std::vector<double>;
+constexpr double row_height = 0.02;  // m
+
+std::size_t row_of(double below) { return static_cast<std::size_t>(std::max(0.0, below) / row_height); }
+
+// Largest distance of the body from the frame's axis, by row.
+Radii body_radii(const Mannequin& form, const PartFrame& frame, std::size_t rows, bool trunk) {
+  Radii radii(rows, 0.0);
   for (Eigen::Index v = 0; v < form.positions.cols(); ++v) {
     const Eigen::Vector3d from = form.positions.col(v) - frame.origin;
     const double along = from.dot(frame.up);
-    if (along > 0.02 || along < -below - 0.02) continue;
     if (trunk && !near_trunk(form, form.positions.col(v))) continue;
     const double across = (from - along * frame.up).norm();
-    if (trunk || across < 0.12) radius = std::max(radius, across);
+    if (!trunk && across > 0.12) continue;
+    for (const double reach : {-row_height, 0.0, row_height}) {
+      const double below = reach - along;
+      if (below >= 0 && row_of(below) < rows) radii[row_of(below)] = std::max(radii[row_of(below)], across);
+    }
   }
-  return radius;
+  return radii;
 }
 
-// Rest positions with the grain turned upright.
-Eigen::Matrix2Xd upright(const PanelMesh& panel) {
+// Width of a panel (grain upright) by row below its top.
+Radii widths(const PanelMesh& panel, const Eigen::Matrix2Xd& flat) {
+  const double top = flat.row(1).maxCoeff();
+  const std::size_t rows = row_of(top - flat.row(1).minCoeff()) + 1;
+  Radii low(rows, 1e9);
+  Radii high(rows, -1e9);
+  for (Eigen::Index t = 0; t < panel.triangles.cols(); ++t) {
+    const Eigen::Vector3i corner = panel.triangles.col(t);
+    const double from = top - std::max({flat(1, corner(0)), flat(1, corner(1)), flat(1, corner(2))});
+    const double to = top - std::min({flat(1, corner(0)), flat(1, corner(1)), flat(1, corner(2))});
+    for (std::size_t row = row_of(from); row <= std::min(row_of(to), rows - 1); ++row)
+      for (int i = 0; i < 3; ++i) {
+        low[row] = std::min(low[row], flat(0, corner(i)));
+        high[row] = std::max(high[row], flat(0, corner(i)));
+      }
+  }
+  Radii width(rows);
+  for (std::size_t row = 0; row < rows; ++row) width[row] = std::max(0.0, high[row] - low[row]);
+  return width;
+}
+
+double radius_at(const Radii& radii, double below) {
+  const double place = std::clamp(below / row_height - 0.5, 0.0, static_cast<double>(radii.size() - 1));
+  const auto row = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(row);
+  return row + 1 < radii.size() ? (1 - share) * radii[row] + share * radii[row + 1] : radii[row];
+}
+
+// Rest positions turned so that the grain stands upright, or runs round; a grain line has no head, so by less than a half turn.
+Eigen::Matrix2Xd as_worn(const PanelMesh& panel, bool grain_round) {
+  Eigen::Vector2d up = grain_round ? Eigen::Vector2d(-panel.warp.y(), panel.warp.x()) : panel.warp;
+  if (up.y() < 0) up = -up;
   Eigen::Matrix2d turn;
-  turn << panel.warp.y(), -panel.warp.x(), panel.warp.x(), panel.warp.y();
+  turn << up.y(), -up.x(), up.x(), up.y();
   return turn * panel.rest;
 }
 
-Eigen::Matrix3Xd rolled(const Eigen::Matrix2Xd& flat, const PartFrame& frame, double radius, double angle) {
+Eigen::Matrix3Xd rolled(const Eigen::Matrix2Xd& flat, const PartFrame& frame, const Radii& radii, double angle) {
   const double middle = (flat.row(0).minCoeff() + flat.row(0).maxCoeff()) / 2;
   const double top = flat.row(1).maxCoeff();
   Eigen::Matrix3Xd placed(3, flat.cols());
   for (Eigen::Index v = 0; v < flat.cols(); ++v) {
+    const double radius = radius_at(radii, top - flat(1, v));
     const double theta = angle + (flat(0, v) - middle) / radius;
     placed.col(v) =
         frame.origin + (flat(1, v) - top) * frame.up + radius * (std::sin(theta) * frame.left + std::cos(theta) * frame.front);
@@ -95,9 +135,10 @@ Eigen::Matrix3Xd rolled(const Eigen::Matrix2Xd& flat, const PartFrame& frame, do
 
 std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const GarmentMesh& garment, const Body& body) {
   std::vector<Eigen::Matrix3Xd> placed(garment.panels.size());
-  // Panels of one part and level share a radius on which their widths fit side by side.
+  // Panels of one part and level go round it side by side: at every height on a circle that their widths fill, and that clears
+  // the body.
   using Level = std::tuple<std::string, std::string, double>;
-  std::map<Level, std::pair<double, double>> extent;  // sum of widths, greatest length
+  std::map<Level, Radii> level_width;
   const auto part_of = [&](const PanelMesh& panel) -> const BodyPart* {
     const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
     const auto copy = static_cast<std::size_t>(panel.copy - 1);
@@ -111,10 +152,11 @@ std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const Garment
   for (const PanelMesh& panel : garment.panels) {
     const BodyPart* part = part_of(panel);
     if (placement_of(panel) || !part) continue;
-    const Eigen::Matrix2Xd flat = upright(panel);
-    auto& [width, tall] = extent[{part->part, part->level, part->drop}];
-    width += flat.row(0).maxCoeff() - flat.row(0).minCoeff();
-    tall = std::max(tall, flat.row(1).maxCoeff() - flat.row(1).minCoeff());
+    const Eigen::Matrix2Xd flat = as_worn(panel, part->grain_round);
+    Radii& together = level_width[{part->part, part->level, part->drop}];
+    const Radii width = widths(panel, flat);
+    together.resize(std::max(together.size(), width.size()), 0.0);
+    for (std::size_t row = 0; row < width.size(); ++row) together[row] += width[row];
   }
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const PanelMesh& panel = garment.panels[p];
@@ -131,9 +173,11 @@ std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const Garment
                       "Give it a place in the seams file: on = { part = \"trunk\", level = \"waist\", angle = 0 }"});
     const bool trunk = part->part == "trunk";
     const PartFrame frame = trunk ? trunk_frame(body.form, height_of(*part, body)) : limb_frame(body.form, *part, place);
-    const auto& [width, tall] = extent.at({part->part, part->level, part->drop});
-    const double radius = std::max(width / (2 * std::numbers::pi), body_radius(body.form, frame, tall, trunk) + clearance);
-    placed[p] = rolled(upright(panel), frame, radius, part->angle);
+    Radii radii = level_width.at({part->part, part->level, part->drop});
+    const Radii clear_of = body_radii(body.form, frame, radii.size(), trunk);
+    for (std::size_t row = 0; row < radii.size(); ++row)
+      radii[row] = std::max(radii[row] / (2 * std::numbers::pi), clear_of[row] + clearance);
+    placed[p] = rolled(as_worn(panel, part->grain_round), frame, radii, part->angle);
   }
   return placed;
 }

@@ -82,6 +82,7 @@ struct BodyPart {
   double angle = 0;            // radians
   std::string level = "waist";  // landmark whose height the top of the piece takes
   double drop = 0;             // m, how far below that level
+  bool grain_round = false;    // the grain runs round the part (a waistband, a cuff) instead of along it
   bool operator==(const BodyPart&) const = default;
 };
 
