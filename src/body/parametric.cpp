@@ -1,11 +1,14 @@
 #include "body/parametric.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "body/girth.h"
 #include "body/parametric_fit.h"
 #include "body/parametric_surface.h"
+#include "garment/report.h"
+#include "garment/units.h"
 
 namespace toile {
 namespace {
@@ -67,6 +70,16 @@ Surface fitted_surface(const Figure& figure, Net& net) {
   return mirrored_surface(net);
 }
 
+// Within 5 mm of the chart, or there is no such body.
+void check_reached(const SizeChartRow& row, const Figure& figure, const std::map<std::string, double>& measures) {
+  for (const auto& [name, girth] : figure.girths)
+    if (const auto found = measures.find(name); found != measures.end() && !(std::abs(found->second - girth) < 5e-3))
+      throw BadInput({"chart.implausible", Severity::error, row.chart + " " + row.size,
+                      "no body has these measures together: " + name + " comes out at " + in_mm(found->second, 0) +
+                          " instead of " + in_mm(girth, 0),
+                      "Check the row: the measures of one adult, in centimetres in the chart"});
+}
+
 }  // namespace
 
 Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& options) {
@@ -86,6 +99,7 @@ Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& optio
   mannequin.landmarks = figure.levels;
   mannequin.landmarks["height"] = row.height;
   mannequin.measures = taped(surface, figure);
+  check_reached(row, figure, mannequin.measures);
   mannequin.measures["height"] = row.height;
   mannequin.measures["inside_leg"] = figure.levels.at("crotch");
   mannequin.measures["nape_to_waist"] = figure.levels.at("nape") - figure.levels.at("waist");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "body/parametric_samples.h"
 #include "garment/report.h"
 #include "garment/units.h"
 
@@ -11,99 +12,6 @@ namespace toile {
 namespace {
 
 constexpr double cm = 1 / cm_per_m;
-
-// Horizontal section of the trunk as measured, cm. The girth is the tape's.
-struct TrunkSample {
-  double girth, depth_to_width, centre, front, back, front_exponent, back_exponent;
-};
-
-struct BodySample {
-  double height, bust, hip;  // cm
-  TrunkSample hip_section, seat, high_hip, waist, underbust, bust_section, armpit;
-  double shoulder_x, cage_half_width;
-  std::array<double, 7> arm;  // girths at upper_arm_root, upper_arm, above_elbow, elbow, forearm, low_forearm, wrist
-  std::array<double, 8> leg;  // thigh, mid_thigh, above_knee, knee, below_knee, calf, low_calf, ankle
-};
-
-constexpr std::array arm_names = {"upper_arm_root", "upper_arm", "above_elbow", "elbow", "forearm", "low_forearm", "wrist"};
-constexpr std::array leg_names = {"thigh", "mid_thigh", "above_knee", "knee", "below_knee", "calf", "low_calf", "ankle"};
-
-constexpr std::array<BodySample, 3> women = {{
-    {160.3,
-     80,
-     86,
-     {86.0, .579, 2.9, 8.2, 10.7, 3.05, 2.40},
-     {83.5, .628, 2.2, 9.0, 10.5, 2.83, 2.19},
-     {73.0, .604, 3.4, 9.2, 7.7, 2.11, 2.50},
-     {62.0, .602, 3.3, 9.4, 4.6, 2.34, 3.22},
-     {68.0, .673, 5.9, 8.2, 8.4, 2.09, 3.09},
-     {80.0, .764, 2.3, 12.7, 6.8, 5.00, 2.86},
-     {77.0, .598, 2.7, 9.4, 7.9, 2.74, 2.39},
-     15.25,
-     12.7,
-     {26.6, 25.0, 22.3, 20.6, 20.3, 16.5, 15.0},
-     {50.0, 43.0, 35.5, 32.2, 31.7, 33.0, 26.6, 17.1}},
-    {168.0,
-     88,
-     94,
-     {94.0, .574, 3.0, 8.9, 11.6, 3.00, 2.36},
-     {90.8, .631, 2.1, 10.1, 11.3, 2.63, 2.17},
-     {80.3, .645, 4.4, 9.9, 9.6, 1.90, 2.66},
-     {70.0, .686, 5.2, 9.7, 7.6, 2.19, 3.15},
-     {74.5, .706, 6.3, 9.3, 9.5, 2.08, 2.97},
-     {88.0, .754, 2.6, 13.7, 7.7, 4.46, 2.91},
-     {88.7, .543, 2.5, 10.6, 8.6, 2.29, 2.17},
-     16.25,
-     14.1,
-     {28.7, 28.0, 24.5, 21.6, 21.3, 17.4, 16.0},
-     {56.0, 49.7, 38.1, 34.2, 33.8, 35.5, 28.1, 17.7}},
-    {167.5,
-     110,
-     116,
-     {116.0, .587, 3.2, 11.4, 14.1, 3.05, 2.61},
-     {111.8, .637, 2.2, 12.7, 13.7, 2.59, 2.37},
-     {100.2, .747, 4.6, 13.9, 13.0, 1.73, 2.57},
-     {92.0, .825, 4.1, 15.6, 10.0, 2.16, 2.46},
-     {96.0, .803, 6.2, 13.4, 12.7, 2.17, 2.89},
-     {110.0, .812, 0.5, 19.5, 8.3, 5.00, 2.86},
-     {102.9, .638, 1.4, 14.1, 9.8, 2.81, 2.52},
-     17.25,
-     17.0,
-     {34.0, 35.4, 28.3, 22.9, 22.6, 18.5, 17.6},
-     {66.5, 54.2, 40.2, 35.7, 37.8, 41.0, 29.9, 18.0}},
-}};
-
-constexpr BodySample man = {177,
-                            100,
-                            100,
-                            {100.0, .650, 4.5, 8.4, 15.2, 2.39, 2.68},
-                            {98.9, .686, 4.4, 9.0, 15.2, 2.26, 2.68},
-                            {90.6, .761, 3.0, 11.8, 12.4, 2.15, 2.35},
-                            {86.0, .807, 4.4, 11.4, 12.1, 2.39, 2.41},
-                            {92.8, .795, 2.4, 13.2, 11.0, 3.12, 2.92},
-                            {100.0, .680, 2.3, 12.8, 11.3, 2.77, 3.04},
-                            {104.3, .629, 2.4, 11.9, 12.1, 2.90, 2.75},
-                            19.25,
-                            17.7,
-                            {33.6, 31.2, 28.3, 25.9, 26.0, 21.3, 17.5},
-                            {58.1, 49.0, 38.7, 35.9, 36.9, 38.0, 30.7, 22.3}};
-
-// How much of the women's change of shape with girth is taken over for men, of whom only one body was measured.
-constexpr double share_for_men = .6;
-constexpr double furthest = .7;  // of an interval of samples: how far shapes are carried beyond the last body
-
-// A figure of the samples as a function of a ratio (girth to stature) of the samples.
-template <class Key, class Value>
-double interpolated(bool female, double at, Key key, Value value, double reach = furthest) {
-  const auto line = [&](const BodySample& a, const BodySample& b, double t) { return value(a) + t * (value(b) - value(a)); };
-  const auto between = [&](const BodySample& a, const BodySample& b) { return (at - key(a)) / (key(b) - key(a)); };
-  if (!female) {
-    const double t = std::clamp((at - key(man)) / (key(women[2]) - key(women[1])), -reach, 1 + reach);
-    return value(man) + share_for_men * t * (value(women[2]) - value(women[1]));
-  }
-  if (at < key(women[1])) return line(women[0], women[1], std::max(between(women[0], women[1]), -reach));
-  return line(women[1], women[2], std::min(between(women[1], women[2]), 1 + reach));
-}
 
 Section with_girth(Section section, double girth) { return scaled(section, girth / section_girth(section)); }
 
@@ -155,47 +63,60 @@ void place_levels(const SizeChartRow& row, Figure& figure) {
   figure.levels["floor"] = 0;
 }
 
-void complete_girths(const SizeChartRow& row, Figure& figure) {
+[[noreturn]] void refuse(const SizeChartRow& row, const std::string& what) {
+  throw BadInput({"chart.implausible", Severity::error, row.chart + " " + row.size, what,
+                  "Check the row: the measures of one adult, in centimetres in the chart"});
+}
+
+// What the girths are when only height, bust, waist and hip are known.
+std::map<std::string, double> usual_girths(const SizeChartRow& row) {
   const bool female = row.female;
-  const double height = row.height;
-  auto& girths = figure.girths;
-  const auto bust_key = [](const BodySample& b) { return b.bust / b.height; };
-  const auto hip_key = [](const BodySample& b) { return b.hip / b.height; };
-  const double waist_to_hip = row.hip - row.waist;
-  girths["bust"] = row.bust, girths["waist"] = row.waist, girths["hip"] = row.hip;
-  const double waist_ratio = row.waist / height;
+  std::map<std::string, double> girths = {{"bust", row.bust}, {"waist", row.waist}, {"hip", row.hip}};
+  const double waist_ratio = row.waist / row.height;
   const double high_hip_share = female ? .43 - .67 * (waist_ratio - .417) : .33 - .67 * (waist_ratio - .486);
-  girths["high_hip"] = row.waist + std::clamp(high_hip_share, .25, .5) * waist_to_hip;
-  girths["seat"] = (female ? .966 : .975) * row.hip;  // men: shape only, see below
-  // Anchored at the measured body; the step is that of ASTM D5585-11.
-  girths["underbust"] = female ? .745 + .95 * (row.bust - .88) : row.waist + .49 * (row.bust - row.waist);
-  if (female) girths["underbust"] = std::min(girths["underbust"], row.bust - .04);
+  girths["high_hip"] = row.waist + std::clamp(high_hip_share, .25, .5) * (row.hip - row.waist);
+  girths["seat"] = (female ? .966 : .975) * row.hip;
+  // Anchored at the measured woman; the step is that of ASTM D5585-11.
+  girths["underbust"] =
+      female ? std::min(.745 + .95 * (row.bust - .88), row.bust - .04) : row.waist + .49 * (row.bust - row.waist);
   girths["neck"] = female ? .335 + .17 * (row.bust - .88) : .386 + .2 * (row.bust - 1.0);
-  girths["thigh"] = .5 * row.hip + (female ? .09 : .081);
-  const double regressed_arm =
-      height * interpolated(female, row.bust / height, bust_key, [](const BodySample& b) { return b.arm[1] / b.height; });
-  const double regressed_thigh =
-      height * interpolated(female, row.hip / height, hip_key, [](const BodySample& b) { return b.leg[0] / b.height; });
-  girths["upper_arm"] = regressed_arm;
-  for (const auto& [name, value] : row.others)
-    if (name != "upper_arm" && name != "thigh" && girths.count(name) == 0)
-      continue;
-    else
-      girths[name] = value;
-  const double arm_factor = girths["upper_arm"] / regressed_arm, thigh_factor = girths["thigh"] / regressed_thigh;
+  for (std::size_t i = 0; i < arm_names.size(); ++i)
+    girths[arm_names[i]] =
+        row.height * interpolated(
+                         female, row.bust / row.height, [](const BodySample& b) { return b.bust / b.height; },
+                         [&](const BodySample& b) { return b.arm[i] / b.height; });
+  for (std::size_t i = 0; i < leg_names.size(); ++i)
+    girths[leg_names[i]] = row.height * interpolated(
+                                            female, row.hip / row.height, [](const BodySample& b) { return b.hip / b.height; },
+                                            [&](const BodySample& b) { return b.leg[i] / b.height; });
+  return girths;
+}
+
+void complete_girths(const SizeChartRow& row, Figure& figure) {
+  figure.girths = usual_girths(row);
+  const auto given = [&](const char* name, double otherwise) {
+    const auto found = row.others.find(name);
+    return found == row.others.end() ? otherwise : found->second;
+  };
+  // How much of what upper arm and thigh have more or less than usual is shared by the rest of the limb.
   constexpr std::array arm_share = {1., 1., .8, .3, .3, .1, 0.};
   constexpr std::array leg_share = {1., .8, .4, .2, .2, .2, .1, 0.};
-  for (std::size_t i = 0; i < arm_names.size(); ++i)
-    if (i != 1)
-      girths[arm_names[i]] =
-          std::pow(arm_factor, arm_share[i]) * height *
-          interpolated(female, row.bust / height, bust_key, [&](const BodySample& b) { return b.arm[i] / b.height; });
-  for (std::size_t i = 1; i < leg_names.size(); ++i)
-    girths[leg_names[i]] =
-        std::pow(thigh_factor, leg_share[i]) * height *
-        interpolated(female, row.hip / height, hip_key, [&](const BodySample& b) { return b.leg[i] / b.height; });
-  for (const auto& [name, value] : row.others)
-    if (girths.count(name)) girths[name] = value;
+  auto& girths = figure.girths;
+  const double usual_thigh = girths["thigh"], usual_arm = girths["upper_arm"];
+  const double arm_factor = given("upper_arm", usual_arm) / usual_arm;
+  const double thigh_factor = given("thigh", .5 * row.hip + (row.female ? .09 : .081)) / usual_thigh;
+  for (std::size_t i = 0; i < arm_names.size(); ++i) girths[arm_names[i]] *= std::pow(arm_factor, arm_share[i]);
+  for (std::size_t i = 0; i < leg_names.size(); ++i) girths[leg_names[i]] *= std::pow(thigh_factor, leg_share[i]);
+  for (const auto& [name, value] : row.others) {
+    const auto usual = girths.find(name);
+    if (usual == girths.end()) continue;
+    const double base = name == "thigh" ? usual_thigh : name == "upper_arm" ? usual_arm : usual->second;
+    if (!(value > .6 * base && value < 1.6 * base))
+      refuse(row,
+             "column '" + name + "' says " + in_mm(value, 0) + ", about " + in_mm(base, 0) + " would fit the other measures");
+    usual->second = value;
+  }
+  if (row.female && girths["underbust"] > row.bust - .015) refuse(row, "the underbust girth is not below the bust girth");
 }
 
 void shape_sections(Figure& figure) {
@@ -251,7 +172,7 @@ void place_joints(Figure& figure) {
   figure.toe = figure.ankle + Eigen::Vector3d(.014 * height, -.0275 * height, .112 * height);
   figure.neck_base = {0, (female ? .851 : .858) * height, (female ? -.0008 : .0067) * height};
   figure.head_joint = {0, (female ? .9149 : .9136) * height, (female ? .0249 : .0275) * height};
-  const BodySample& reference = women[1];
+  const BodySample& reference = reference_woman();
   figure.shoulder_factor = shoulder_x / height / (reference.shoulder_x / reference.height);
   figure.neck_factor = figure.girths["neck"] / height / (33.5 / reference.height);
   const auto chest = [&](auto reach) {
@@ -264,18 +185,15 @@ void place_joints(Figure& figure) {
 }
 
 void check_row(const SizeChartRow& row) {
-  const auto refuse = [&](const std::string& what) {
-    throw BadInput({"chart.implausible", Severity::error, row.chart + " " + row.size, what,
-                    "Measures are height, bust, waist and hip of one adult, in centimetres in the chart"});
-  };
   for (const double value : {row.height, row.bust, row.waist, row.hip})
-    if (!std::isfinite(value) || value <= 0) refuse("a measure is not a positive number");
-  if (row.height < 1.3 || row.height > 2.2) refuse("height " + in_mm(row.height, 0) + " is outside 1300 to 2200 mm");
+    if (!std::isfinite(value) || value <= 0) refuse(row, "a measure is not a positive number");
+  if (row.height < 1.3 || row.height > 2.2) refuse(row, "height " + in_mm(row.height, 0) + " is outside 1300 to 2200 mm");
   const auto within = [&](const char* name, double girth, double least, double most) {
     if (girth < least * row.height || girth > most * row.height)
-      refuse(std::string(name) + " " + in_mm(girth, 0) + " does not fit a height of " + in_mm(row.height, 0));
+      refuse(row, std::string(name) + " " + in_mm(girth, 0) + " does not fit a height of " + in_mm(row.height, 0));
   };
-  within("bust", row.bust, .38, .95), within("waist", row.waist, .28, .90), within("hip", row.hip, .40, 1.0);
+  within("bust", row.bust, .38, .95), within("waist", row.waist, .28, .90), within("hip", row.hip, .38, 1.0);
+  if (const auto leg = row.others.find("inside_leg"); leg != row.others.end()) within("inside leg", leg->second, .38, .53);
 }
 
 }  // namespace
