@@ -196,7 +196,7 @@ std::vector<std::string> defects_of_closed_surface(const Eigen::Matrix3Xi& trian
   std::vector<std::string> defects;
   const auto say = [&](const Count& count, const std::string& what, const std::string& place) {
     if (count.number > 0)
-      defects.push_back(std::to_string(count.number) + " " + what + ", the first " + place + " " + count.first);
+      defects.push_back(what + ": " + std::to_string(count.number) + ", the first " + place + " " + count.first);
   };
   say(open, "open edges (the border of a hole)", "between");
   say(crowded, "edges with more than two triangles", "between");

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "garment/report.h"
+#include "garment/units.h"
 #include "geometry/topology.h"
 #include "triangulate/fill.h"
 #include "triangulate/outline.h"
@@ -14,6 +16,8 @@
 
 namespace toile {
 namespace {
+
+constexpr double most_triangles = 2e6;
 
 Eigen::Matrix3Xi columns(const std::vector<std::array<int, 3>>& triangles) {
   Eigen::Matrix3Xi result(3, static_cast<Eigen::Index>(triangles.size()));
@@ -42,6 +46,18 @@ PanelMesh panel_of(const Piece& piece, int index, int copy, const std::vector<Ou
     panel.warp.x() *= -1;
   }
   return panel;
+}
+
+// A length in the wrong unit, of the pattern or of the mesh, would otherwise fill the memory first.
+void check_number_of_triangles(const Pattern& pattern, double edge_length) {
+  double area = 0;
+  for (const Piece& piece : pattern.pieces) area += signed_area(piece);
+  const double expected = area / (std::sqrt(3) / 4 * edge_length * edge_length);
+  if (expected > most_triangles)
+    throw BadInput({"mesh.edge-length-too-short", Severity::error, "edge length " + in_mm(edge_length, 3),
+                    "the pieces cover " + std::to_string(std::lround(area)) + " square metres and would need " +
+                        std::to_string(std::lround(expected / 1e6)) + " million triangles",
+                    "Choose a longer one, or read the pattern with the right unit", Fault::bad_input});
 }
 
 // Puts a point in the middle of the edge a-b between two triangles.
@@ -116,6 +132,7 @@ std::vector<PanelMesh> triangulate(const Pattern& pattern, const TriangulateOpti
   if (!(options.edge_length > 0) || !std::isfinite(options.edge_length))
     throw std::invalid_argument("triangulate: edge_length must be positive");
   check_outlines(pattern);
+  check_number_of_triangles(pattern, options.edge_length);
   const std::vector<std::vector<OutlineSample>> outlines = sample_outlines(pattern, options.edge_length);
   std::vector<Filling> fillings;
   for (const std::vector<OutlineSample>& outline : outlines) {

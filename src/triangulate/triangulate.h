@@ -15,10 +15,12 @@ struct TriangulateOptions {
 //  1. Mating spans of a seam have the same number of vertices at the same fractions, also when their lengths differ.
 //  2. Every turn point is a vertex; no vertex is added on the outline by the refinement.
 //  3. Triangles are counter-clockwise and not degenerate.
-// Throws BadInput ("pattern.self-crossing", "seam.unknown-edge", ...) naming the piece.
+// Throws BadInput naming the piece or the seam: "pattern.*" (triangulate/outline.h), "seam.*" (triangulate/seam_places.h,
+// triangulate/sampling.h), "mesh.edge-length-too-short" beyond two million triangles.
 std::vector<PanelMesh> triangulate(const Pattern& pattern, const TriangulateOptions& options = {});
 
-// Welds the panels along the pattern's seams. Throws BadInput("seam.not-manifold") naming the seam.
+// Welds the panels along the pattern's seams. Throws BadInput naming the seam: "seam.twisted" when it would join a right side
+// to a wrong side without saying so, "seam.not-manifold"; std::invalid_argument when the panels are not of this pattern.
 GarmentMesh sew(const Pattern& pattern, std::vector<PanelMesh> panels);
 
 }  // namespace toile

@@ -110,14 +110,14 @@ TEST(ClosedSurface, HasNoDefects) { EXPECT_TRUE(defects_of_closed_surface(tetrah
 TEST(ClosedSurface, DefectsAreNamedWithTheirPlace) {
   const auto open = defects_of_closed_surface(tetrahedron.leftCols(3));
   ASSERT_EQ(open.size(), 1u);
-  EXPECT_NE(open[0].find("3 open edges"), std::string::npos);
+  EXPECT_NE(open[0].find("open edges (the border of a hole): 3"), std::string::npos);
   EXPECT_NE(open[0].find("vertices 0 and 2"), std::string::npos);
 
   Eigen::Matrix3Xi turned = tetrahedron;
   turned.col(0) << 0, 1, 2;
   const auto facing = defects_of_closed_surface(turned);
   ASSERT_EQ(facing.size(), 1u);
-  EXPECT_NE(facing[0].find("3 edges whose two triangles face opposite ways"), std::string::npos);
+  EXPECT_NE(facing[0].find("edges whose two triangles face opposite ways: 3"), std::string::npos);
 
   Eigen::Matrix3Xi pinched(3, 8);
   pinched << tetrahedron, (tetrahedron.array() + 3).matrix();

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "geometry/topology.h"
@@ -71,6 +73,28 @@ TEST(Sew, RollsAStripIntoARing) {
   for (const double h : {.5, .1, .015}) {
     EXPECT_EQ(euler(sewn(cuff, h)), 0) << h;
     EXPECT_EQ(holes(sewn(cuff, h)), 2u) << h;
+  }
+}
+
+// The disc has one edge, which starts and ends at its only turn point.
+TEST(Sew, ClosesATubeWithADisc) {
+  const double radius = .08;
+  Piece disc;
+  disc.name = "disc";
+  disc.outline = {arc_edge("rim", {radius, 0}, {-radius, 1e-17}, {0, 0}, 60)};
+  for (int i = 1; i <= 60; ++i) {
+    const double angle = std::numbers::pi * (1 + i / 60.);
+    disc.outline[0].points.push_back({radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), i == 60, {}});
+  }
+  disc.outline[0].points.back().at = disc.outline[0].points.front().at;
+  Pattern bag;
+  bag.pieces = {rectangle("tube", .5, .1), disc};
+  bag.seams = {{"side", span("tube", 1, "right"), span("tube", 1, "left", 1, 0), false},
+               {"base", span("tube", 1, "bottom"), span("disc", 1, "rim", 1, 0), false}};
+  for (const double h : {.2, .05, .015}) {
+    const GarmentMesh garment = sewn(bag, h);
+    EXPECT_EQ(euler(garment), 1) << h;
+    EXPECT_EQ(holes(garment), 1u) << h;
   }
 }
 

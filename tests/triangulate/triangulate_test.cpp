@@ -128,6 +128,7 @@ TEST(Triangulate, PassesOnWhatIsWrongWithAPattern) {
   pattern.pieces[0].outline.pop_back();
   EXPECT_EQ(refusal([&] { triangulate(pattern); }).code, "pattern.open-outline");
   EXPECT_THROW(triangulate(gored_skirt(), {0, 20}), std::invalid_argument);
+  EXPECT_EQ(refusal([] { triangulate(gored_skirt(), {15e-6, 20}); }).code, "mesh.edge-length-too-short");
 }
 
 }  // namespace
