@@ -132,4 +132,21 @@ double distance_to_ring(const Points<2>& ring, const Eigen::Vector2d& at) {
   return nearest_on<2>(closed_polyline(ring), at).distance;
 }
 
+std::optional<Eigen::Vector2d> crossing(const Points<2>& ring) {
+  const std::size_t n = ring.size();
+  const auto side = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
+    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = i + 2; k < n; ++k) {
+      if (i == 0 && k + 1 == n) continue;  // neighbours
+      const Eigen::Vector2d &a = ring[i], &b = ring[i + 1], &c = ring[k], &d = ring[(k + 1) % n];
+      const double sc = side(a, b, c), sd = side(a, b, d);
+      constexpr double nothing = 1e-9;  // m^2
+      const auto opposite = [&](double x, double y) { return (x > nothing && y < -nothing) || (x < -nothing && y > nothing); };
+      if (opposite(sc, sd) && opposite(side(c, d, a), side(c, d, b))) return c + sc / (sc - sd) * (d - c);
+    }
+  return {};
+}
+
 }  // namespace toile::aama

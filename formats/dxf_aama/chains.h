@@ -2,6 +2,7 @@
 // Closed lines out of the runs a file draws them in.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "formats/dxf_aama/drawn_piece.h"
@@ -29,5 +30,8 @@ double signed_area(const Points<2>& ring);                                  // m
 double distance_to_ring(const Points<2>& ring, const Eigen::Vector2d& at);  // m
 Points<2> closed_polyline(Points<2> ring);                                  // with the first point repeated at the end
 Points<2> without_repeats(const Points<2>& points, bool closed);            // consecutive vertices that are one
+
+// Where a ring crosses itself, if it does; lines that only touch do not cross.
+std::optional<Eigen::Vector2d> crossing(const Points<2>& ring);
 
 }  // namespace toile::aama

@@ -148,6 +148,11 @@ std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
   if (net->fold) smooth_fold(net->sew, turns.turn, *net->fold);
   join_double_corners(net->sew, turns.turn);
 
+  if (const std::optional<Eigen::Vector2d> at = crossing(net->sew))
+    report.warn("aama.crossing-outline", drawn.place(),
+                "the sew line crosses itself near (" + in_mm(at->x(), 2) + ", " + in_mm(at->y(), 2) + ")",
+                "such a piece cannot be cut or draped; correct its outline in the pattern program");
+
   Piece piece;
   piece.name = drawn.name;
   piece.material = drawn.texts.material;

@@ -215,6 +215,17 @@ TEST(AamaReader, SaysWhereAnOutlineIsOpenInMillimetres) {
             4u);
 }
 
+TEST(AamaReader, WarnsOfAnOutlineThatCrossesItself) {
+  const auto crossings = [](const Xy& ring) {
+    const Loaded<Pattern> loaded = read(pattern_file(block("A", polyline_on("1", ring, true))));
+    EXPECT_TRUE(loaded.value);
+    return count(loaded.report, "aama.crossing-outline");
+  };
+  EXPECT_EQ(crossings({{0, 0}, {400, 0}, {400, 600}, {200, -50}, {0, 600}}), 1);
+  EXPECT_EQ(crossings({{0, 0}, {400, 0}, {400, 600}, {200, 0}, {0, 600}}), 0);  // touches
+  EXPECT_EQ(crossings(rectangle(0, 0, 400, 600)), 0);
+}
+
 TEST(AamaReader, RefusesWhatIsNoPattern) {
   EXPECT_EQ(error_of(pattern_file("")).code, "aama.no-piece");
   EXPECT_EQ(error_of(section("ENTITIES", polyline_on("0", rectangle(0, 0, 9, 9), true)) + tag(0, "EOF")).code, "aama.no-piece");
