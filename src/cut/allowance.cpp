@@ -163,6 +163,16 @@ bool has_part_on(const Polygon& outline, const std::vector<Polygon>& strips) {
   return false;
 }
 
+// Whether the edge lies so far inside the cut line that nobody could find it by its allowance.
+bool is_buried(const OffsetEdge& edge, const Polygon& outline) {
+  return edge.width > 0 && std::any_of(edge.sew.begin(), edge.sew.end(), [&](const OutlinePoint& point) {
+           double nearest = std::numeric_limits<double>::infinity();
+           for (std::size_t i = 0; i < outline.size(); ++i)
+             nearest = std::min(nearest, distance(point.at, outline[i], outline[(i + 1) % outline.size()]));
+           return nearest > 4 * edge.width;
+         });
+}
+
 bool meet_in_a_dart(const OffsetEdge& in, const OffsetEdge& out) {
   return cross(in.last, out.first) < 0 && in.last.dot(out.first) < -0.5;
 }
@@ -213,10 +223,8 @@ Line united(const Piece& piece, const Polygon& net, const std::vector<OffsetEdge
     const OffsetEdge& edge = edges[e];
     const OffsetEdge& next = edges[(e + 1) % edges.size()];
     const OffsetEdge& before = edges[(e + edges.size() - 1) % edges.size()];
-    const bool noticeable =
-        length(piece.outline[static_cast<std::size_t>(edge.edge)]) > 2 * std::max({edge.width, next.width, before.width});
-    if (edge.width > 0 && noticeable && !meet_in_a_dart(edge, next) && !meet_in_a_dart(before, edge) &&
-        !has_part_on(all.outer, strips[e]))
+    if (meet_in_a_dart(edge, next) || meet_in_a_dart(before, edge)) continue;
+    if (is_buried(edge, all.outer) && !has_part_on(all.outer, strips[e]))
       refuse(piece, piece.outline[static_cast<std::size_t>(edge.edge)].id);
   }
   Line line = flagged(all.outer, raw);

@@ -48,18 +48,19 @@ std::string number(double value, int digits) {
 }  // namespace
 
 std::vector<CutNotch> notches_on(const Piece& piece, const std::vector<double>& widths, const Polygon& cut_line) {
+  const double widest = widths.empty() ? 0 : *std::max_element(widths.begin(), widths.end());
   std::vector<CutNotch> notches;
   for (const Notch& notch : piece.notches) {
     const Edge* edge = find_edge(piece, notch.edge);
     if (!edge)
       throw std::invalid_argument("add_allowance: notch on unknown edge '" + notch.edge + "' of piece '" + piece.name + "'");
-    const double width = widths[static_cast<std::size_t>(edge - piece.outline.data())];
     const Points<2> line = positions(*edge);
     const Vector2d place = point_at<2>(line, notch.at);
     CutNotch moved{.at = place, .direction = -outward_at(line, notch.at), .notch = notch};
-    if (width > 0) {
-      const auto hit = first_hit(cut_line, place, -moved.direction, 4 * width);
-      moved.at = hit ? Vector2d(place - *hit * moved.direction) : nearest_on_loop(cut_line, place);
+    const Vector2d nearest = nearest_on_loop(cut_line, place);
+    if ((nearest - place).norm() > 1e-9) {
+      const auto hit = first_hit(cut_line, place, -moved.direction, 4 * widest);
+      moved.at = hit ? Vector2d(place - *hit * moved.direction) : nearest;
       if (!hit) moved.direction = (place - moved.at).normalized();
     }
     moved.notch.depth = std::min(notch.depth, deepest * (moved.at - place).norm());
