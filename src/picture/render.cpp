@@ -56,8 +56,26 @@ Eigen::Matrix3Xd vertex_normals(const ShownMesh& mesh) {
     const Vector3d normal = (b - a).cross(c - a);
     for (int k = 0; k < 3; ++k) normals.col(mesh.triangles(k, t)) += normal;
   }
+  normals.colwise().normalize();
   return normals;
 }
+
+// Linear light to a byte of sRGB.
+class Encoding {
+ public:
+  Encoding() {
+    for (int i = 0; i <= steps; ++i)
+      table_[static_cast<std::size_t>(i)] =
+          static_cast<std::uint8_t>(std::lround(255 * to_encoded(static_cast<double>(i) / steps)));
+  }
+  std::uint8_t operator()(float linear) const {
+    return table_[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * steps + 0.5F)];
+  }
+
+ private:
+  static constexpr int steps = 16384;
+  std::array<std::uint8_t, steps + 1> table_{};
+};
 
 class Raster {
  public:
@@ -176,7 +194,7 @@ class Shading {
     Vector3f colour = Vector3f::Zero();
     for (int k = 0; k < 3; ++k) {
       const double w = weights[static_cast<std::size_t>(k)];
-      normal += w * normals_[number].col(corners[k]).normalized();
+      normal += w * normals_[number].col(corners[k]);
       place += w * mesh.positions.col(corners[k]);
       if (!per_triangle && colours.size() > 1) colour += static_cast<float>(w) * colours[static_cast<std::size_t>(corners[k])];
     }
@@ -218,17 +236,22 @@ Image render(const Scene3D& scene, const View& view) {
   for (const ShownLine& line : scene.lines) raster.draw(line, number++);
 
   const Shading shade(scene, raster.camera());
-  Image image = blank_image(view.width, view.height);
+  const Encoding encoded;
+  Image image = blank_image(view.width, view.height, scene.background);
   auto byte = image.pixels.begin();
   for (int y = 0; y < view.height; ++y)
-    for (int x = 0; x < view.width; ++x) {
+    for (int x = 0; x < view.width; ++x, byte += 3) {
       Vector3f sum = Vector3f::Zero();
+      int covered = 0;
       for (int sy = 0; sy < view.samples; ++sy)
-        for (int sx = 0; sx < view.samples; ++sx)
-          sum += shade(raster.at(x * view.samples + sx, y * view.samples + sy)).cwiseMin(1.0F);
+        for (int sx = 0; sx < view.samples; ++sx) {
+          const Sample& sample = raster.at(x * view.samples + sx, y * view.samples + sy);
+          covered += sample.mesh >= 0;
+          sum += shade(sample).cwiseMin(1.0F);
+        }
+      if (covered == 0) continue;
       sum /= static_cast<float>(view.samples * view.samples);
-      for (int k = 0; k < 3; ++k)
-        *byte++ = static_cast<std::uint8_t>(std::lround(255 * to_encoded(std::clamp(static_cast<double>(sum[k]), 0.0, 1.0))));
+      for (int k = 0; k < 3; ++k) byte[k] = encoded(sum[k]);
     }
   return image;
 }
