@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "adjust/triangle_update.h"
 #include "adjust/welded_seams.h"
@@ -73,6 +74,7 @@ Guess uncompressed_guess(const Embedder& embedder, const Target& target, const S
 // Whether the drape shows what its rest shape does, rather than where it was started.
 bool came_to_rest(const Drape& drape, double tolerance) { return drape.settled || drape.residual <= 5 * tolerance; }
 
+// Steps taken so far, with what each was cut and how it hangs.
 class Adjuster {
  public:
   Adjuster(const Target& target, const Simulate& simulate, const MakeCuttable& make_cuttable, const AdjustOptions& options)
@@ -81,74 +83,93 @@ class Adjuster {
     if (height.size() > 0) slip_limit_ = options.slip_limit * (height.maxCoeff() - height.minCoeff());
   }
 
-  // Drapes and measures; keeps it when it is the nearest so far. `since`: when work on the step began.
-  const AdjustStep& try_out(RestShape rest, double distortion, Clock::time_point since) {
-    Drape drape = simulate_(with_rest(target_.garment, rest), target_.positions, options_.tolerance);
-    AdjustStep step = measure(target_, rest, drape);
-    step.embedding_distortion = distortion;
-    step.seconds = seconds_since(since);
-    result.steps.push_back(step);
-    const bool at_rest = came_to_rest(drape, options_.tolerance);
-    const bool first = result.steps.size() == 1;
-    if (first) {
-      result.flattened = rest;
-      result.flattened_drape = drape;
-    }
-    improved = first || (at_rest != best_at_rest_ ? at_rest
-                                                  : step.hausdorff < best().hausdorff ||
-                                                        (result.best == 0 && step.hausdorff <= options_.agreed_hausdorff));
-    gained = improved && (first || at_rest != best_at_rest_ || step.hausdorff < options_.stalled_ratio * best().hausdorff);
-    if (improved) {
-      result.best = static_cast<int>(result.steps.size()) - 1;
-      result.rest = std::move(rest);
-      result.drape = std::move(drape);
-      best_at_rest_ = at_rest;
-    }
-    if (options_.progress) options_.progress(result.steps.back());
-    return result.steps.back();
-  }
-
-  const AdjustStep& best() const { return result.steps[static_cast<std::size_t>(result.best)]; }
-  bool slipped(const AdjustStep& step) const { return step.slipped > slip_limit_; }
-  RestShape cuttable(RestShape rest) const { return make_cuttable_ ? make_cuttable_(rest) : rest; }
-  AdjustStop stop_after_slip() const { return result.best == 0 || slipped(best()) ? AdjustStop::slipped : AdjustStop::stalled; }
+  // Drapes and measures one more step. `since`: when work on it began.
+  void try_out(RestShape rest, double distortion, Clock::time_point since);
   AdjustStop iterate(const Embedder& embedder, const Shapes& goal, std::optional<Guess> first);
-
-  Adjustment result;
-  bool improved = false;  // the last step is the nearest so far
-  bool gained = false;    // and by more than the stalled ratio
+  Adjustment result(AdjustStop stop, Clock::time_point since) &&;
 
  private:
+  struct Tried {
+    RestShape rest;
+    Drape drape;
+    bool at_rest = false;
+  };
+  bool is_nearer(std::size_t k, std::size_t than) const {
+    return tried_[k].at_rest != tried_[than].at_rest ? tried_[k].at_rest : steps_[k].hausdorff < steps_[than].hausdorff;
+  }
+  bool slipped(std::size_t k) const { return steps_[k].slipped > slip_limit_; }
+  RestShape cuttable(const RestShape& rest) const { return make_cuttable_ ? make_cuttable_(rest) : rest; }
+
   const Target& target_;
   const Simulate& simulate_;
   const MakeCuttable& make_cuttable_;
   const AdjustOptions& options_;
   double slip_limit_ = 0;
-  bool best_at_rest_ = false;
+  std::vector<AdjustStep> steps_;
+  std::vector<Tried> tried_;
+  std::size_t nearest_ = 0;  // of all steps: where the next one starts
+  std::size_t best_ = 0;     // of those that can be cut, once there is one
 };
+
+void Adjuster::try_out(RestShape rest, double distortion, Clock::time_point since) {
+  Drape drape = simulate_(with_rest(target_.garment, rest), target_.positions, options_.tolerance);
+  AdjustStep step = measure(target_, rest, drape);
+  step.embedding_distortion = distortion;
+  step.seconds = seconds_since(since);
+  const bool at_rest = came_to_rest(drape, options_.tolerance);
+  steps_.push_back(step);
+  tried_.push_back({std::move(rest), std::move(drape), at_rest});
+  const std::size_t k = steps_.size() - 1;
+  if (k > 0 && is_nearer(k, nearest_)) nearest_ = k;
+  if (k > 0 && (best_ == 0 || is_nearer(k, best_))) best_ = k;
+  if (options_.progress) options_.progress(step);
+}
 
 AdjustStop Adjuster::iterate(const Embedder& embedder, const Shapes& goal, std::optional<Guess> first) {
   double gain = 1;
   int failures = 0;
-  for (int k = 1; k <= options_.most_steps; ++k) {
+  AdjustStop stop = AdjustStop::step_limit;
+  for (int taken = 0; taken < options_.most_steps && stop == AdjustStop::step_limit; ++taken) {
     const auto since = Clock::now();
     const bool independent = first.has_value();  // of the drapes so far
-    Guess guess = first ? *std::exchange(first, std::nullopt)
-                        : next_guess(embedder, target_.garment, result.rest, result.drape.positions, goal, gain);
-    const AdjustStep step = try_out(cuttable(std::move(guess.rest)), guess.distortion, since);
-    if (best().hausdorff <= options_.agreed_hausdorff && best_at_rest_) return AdjustStop::agreed;
+    const std::size_t from = nearest_;
+    const Guess guess =
+        first ? *std::exchange(first, std::nullopt)
+              : next_guess(embedder, target_.garment, tried_[from].rest, tried_[from].drape.positions, goal, gain);
+    try_out(cuttable(guess.rest), guess.distortion, since);
+    const std::size_t k = steps_.size() - 1;
+    const bool improved = nearest_ == k;
+    if (tried_[best_].at_rest && steps_[best_].hausdorff <= options_.agreed_hausdorff) return AdjustStop::agreed;
     if (independent && !improved) continue;  // from the flattening then
-    if (slipped(step)) return stop_after_slip();
     gain *= options_.damping;
-    if (gained) {
+    if (slipped(k))
+      stop = slipped(best_) ? AdjustStop::slipped : AdjustStop::stalled;
+    else if (improved && (tried_[k].at_rest != tried_[from].at_rest ||
+                          steps_[k].hausdorff < options_.stalled_ratio * steps_[from].hausdorff))
       failures = 0;
-    } else if (improved || ++failures == 2) {
-      return AdjustStop::stalled;
-    } else {
+    else if (improved || ++failures == 2)
+      stop = AdjustStop::stalled;
+    else
       gain /= 2;
-    }
   }
-  return slipped(best()) ? AdjustStop::slipped : AdjustStop::step_limit;
+  if (nearest_ == 0) {
+    const auto since = Clock::now();
+    try_out(cuttable(tried_[0].rest), steps_[0].embedding_distortion, since);
+  }
+  return slipped(best_) ? AdjustStop::slipped : stop;
+}
+
+Adjustment Adjuster::result(AdjustStop stop, Clock::time_point since) && {
+  Adjustment result;
+  result.flattened = tried_[0].rest;
+  result.flattened_drape = tried_[0].drape;
+  result.rest = std::move(tried_[best_].rest);
+  result.drape = std::move(tried_[best_].drape);
+  result.steps = std::move(steps_);
+  result.best = static_cast<int>(best_);
+  result.stop = stop;
+  result.seconds = seconds_since(since);
+  return result;
 }
 
 void check_sizes(const Target& target) {
@@ -190,10 +211,9 @@ Adjustment adjust(const Target& target, const Simulate& simulate, const MakeCutt
 
   Adjuster adjuster(target, simulate, make_cuttable, options);
   adjuster.try_out(std::move(flattened.rest), flattened.distortion, since);
-  adjuster.result.stop =
+  const AdjustStop stop =
       distortion > options.developable_limit ? AdjustStop::not_developable : adjuster.iterate(embedder, goal, std::move(first));
-  adjuster.result.seconds = seconds_since(since);
-  return std::move(adjuster.result);
+  return std::move(adjuster).result(stop, since);
 }
 
 }  // namespace toile

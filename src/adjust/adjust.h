@@ -32,12 +32,15 @@ struct AdjustOptions {
 // Guarantees:
 //  1. steps[0] is the plain flattening of the target, draped: no seam ratio, no cutting rules, no physics.
 //  2. Every other step is a rest shape that went through `make_cuttable` (empty: unchanged), draped from the target.
-//  3. `rest`, `drape` and `best` are the step whose drape is nearest to the target by Hausdorff distance; a drape that did not
-//     come to rest never beats one that did, because it still lies where it was started. A step that agrees beats the
-//     flattening.
-//  4. A step starts from the best one so far; one that is no nearer is tried once more, half as far, before "stalled".
+//  3. `rest`, `drape` and `best` are the step, the flattening aside, whose drape is nearest to the target by Hausdorff
+//  distance; a
+//     drape that did not come to rest never beats one that did, because it still lies where it was started.
+//  4. A step starts from the nearest drape so far, the flattening's included; one that is no nearer is tried once more, half as
+//  far,
+//     before "stalled". When none is nearer than the flattening, the flattening made cuttable is the last step.
 // `not_developable` is known before simulating: the target laid flat, with the stretch of the source drape taken out, is
-// distorted by more than the limit. Only the flattening is draped then. Throws std::invalid_argument when sizes differ.
+// distorted by more than the limit. Only the flattening is draped then, and `best` is 0. Throws std::invalid_argument when
+// sizes differ.
 Adjustment adjust(const Target& target, const Simulate& simulate, const MakeCuttable& make_cuttable,
                   const AdjustOptions& options = {});
 

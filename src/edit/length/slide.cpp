@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/length/trim.h"
+
 namespace toile {
 namespace {
 
@@ -148,23 +150,36 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   StyleOptions style;
   style.in_plane_pull = in_plane_pull;
   HardConstraints hard = all_but_moving(input, handles);
-  for (const Handle& handle : handles)
-    for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);
-  const StyleSolution slid = solve_style(scaled_along(input, handles, options.by), triangles, hard, terms.all(), style);
+  StyleSolution slid;
+  // What a triangle's orientation is held against: its own in the source, or, where the garment has slid on itself, the
+  // source's where it now lies.
+  std::vector<SourceTriangle> reference = triangles;
+  Eigen::Matrix3Xd shape = input.drape;
+  if (const auto part = trimmed(input, handles, options.by)) {
+    slid.positions = slid.initial = shape = *part;
+    reference = source_triangles(shape, input.garment.triangles);
+  } else {
+    for (const Handle& handle : handles)
+      for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);
+    slid = solve_style(scaled_along(input, handles, options.by), triangles, hard, terms.all(), style);
+  }
   for (const Handle& handle : handles)
     for (const int v : handle.loop) hard.hold(v, slid.positions.col(v));
-  const StyleSolution frozen = solve_style(slid.positions, triangles, hard, terms.all(), style);
+  const StyleSolution frozen = solve_style(slid.positions, reference, hard, terms.all(), style);
 
   Slide slide;
   slide.positions = frozen.positions;
   slide.settled = frozen.settled;
   slide.in_plane_pull = in_plane_pull;
   const auto energy = [&](const Eigen::Matrix3Xd& x) {
-    return StyleTerms{tilt_energy(triangles, x), soft_energy(terms.proportion(), x), soft_energy(terms.fit(x), x)};
+    return StyleTerms{tilt_energy(reference, x), soft_energy(terms.proportion(), x), soft_energy(terms.fit(x), x)};
   };
   slide.before = energy(slid.initial);
   slide.after = energy(slide.positions);
-  slide.deviation = normal_deviation(triangles, input.drape, slide.positions);
+  slide.deviation = normal_deviation(reference, shape, slide.positions);
+  const NormalDeviation from_source = normal_deviation(triangles, input.drape, slide.positions);
+  slide.deviation.least_stretch = from_source.least_stretch;
+  slide.deviation.most_stretch = from_source.most_stretch;
   for (const Handle& handle : handles)
     for (const int v : handle.moving)
       slide.deepest =
