@@ -3,26 +3,25 @@
 #include <cmath>
 
 #include "adjust/adjust.h"
+#include "adjust/stand_ins.h"
 #include "adjust/welded_seams.h"
-#include "draft/hand_made.h"
 
 namespace toile {
 namespace {
 
-// The gores of a skirt all laid over each other in the plane: wrong as a garment, right as a set of triangles.
+// The panels as they were drawn, in the plane.
 Target flat_target(const HandMade& made) {
   Target target;
   target.garment = made.garment;
   target.positions = Eigen::Matrix3Xd::Zero(3, made.garment.vertex_count);
   for (std::size_t p = 0; p < made.garment.panels.size(); ++p)
     for (Eigen::Index v = 0; v < made.garment.welded[p].size(); ++v)
-      target.positions.col(made.garment.welded[p](v)).head<2>() =
-          made.garment.panels[p].rest.col(v) + Eigen::Vector2d(.3 * static_cast<double>(p), 0);
+      target.positions.col(made.garment.welded[p](v)).head<2>() = made.garment.panels[p].rest.col(v);
   return target;
 }
 
 TEST(Measure, ReadsStretchContractionAndDropInClosedForm) {
-  const HandMade made = curved_bodice();
+  const HandMade made = sheet();
   const Target target = flat_target(made);
   Drape drape;
   drape.positions = 1.1 * target.positions;
@@ -47,7 +46,7 @@ TEST(Measure, ReadsStretchContractionAndDropInClosedForm) {
 }
 
 TEST(Measure, DoesNotCallALongerHemASlip) {
-  const HandMade made = curved_bodice();
+  const HandMade made = sheet();
   const Target target = flat_target(made);
   Drape drape;
   drape.positions = target.positions;
@@ -58,7 +57,7 @@ TEST(Measure, DoesNotCallALongerHemASlip) {
 }
 
 TEST(Measure, ATriangleThatCollapsedAgreesWithNothing) {
-  const HandMade made = curved_bodice();
+  const HandMade made = sheet();
   const Target target = flat_target(made);
   Drape drape;
   drape.positions = target.positions;
