@@ -9,15 +9,16 @@
 #include "cli/exit_codes.h"
 #include "cli/templates.h"
 #include "cut/cut.h"
+#include "edit/arguments.h"
 #include "formats/formats.h"
 #include "garment/units.h"
 
 namespace toile {
 namespace {
 
-constexpr double reread_limit = 0.05e-3;   // m, a written outline read back
-constexpr double seam_limit = 3e-3;        // m, a seam that no longer fits
-constexpr double far_from_target = 0.01;   // of the body's height
+constexpr double reread_limit = 0.05e-3;  // m, a written outline read back
+constexpr double seam_limit = 3e-3;       // m, a seam that no longer fits
+constexpr double far_from_target = 0.01;  // of the body's height
 
 template <class T>
 T take(Loaded<T> loaded, Job& job) {
@@ -52,14 +53,39 @@ Mannequin body_of(const Recipe& recipe, Job& job) {
   return build_mannequin(take(read_size_chart_row(chart, recipe.body.size), job));
 }
 
+// What is wrong with a body from a file is said about the file.
+Body ready(Mannequin form, const std::filesystem::path& file) {
+  try {
+    return make_body(std::move(form));
+  } catch (const BadInput& bad) {
+    Finding finding = bad.finding();
+    if (!file.empty()) finding.place = file.string() + ", " + finding.place;
+    throw BadInput(finding);
+  }
+}
+
+// Before the drape, which takes its time: what can be known to be wrong with the edits as written.
+void check_written(const std::vector<Edit>& edits) {
+  for (const Edit& edit : edits) try {
+      read_arguments(edit.operation, find_operation(edit.operation).parameters, edit.arguments);
+    } catch (const BadInput& bad) {
+      Finding finding = bad.finding();
+      finding.place = finding.place.empty() ? edit.place : edit.place + ", " + finding.place;
+      throw BadInput(finding);
+    }
+}
+
 // The reread piece with its edges in the order of the piece that was written.
 Piece in_order(const Piece& written, Piece read, double& moved) {
   const auto refuse = [&](const std::string& what) {
-    throw BadInput({"export.changed", Severity::error, "piece '" + written.name + "'", "the written DXF reads back differently: " + what,
+    throw BadInput({"export.changed", Severity::error, "piece '" + written.name + "'",
+                    "the written DXF reads back differently: " + what,
                     "Do not cut from these files; please report this as a fault of the program", Fault::checks_failed});
   };
-  if (read.outline.size() != written.outline.size()) refuse(std::to_string(read.outline.size()) + " edges instead of " + std::to_string(written.outline.size()));
-  const auto first = std::find_if(read.outline.begin(), read.outline.end(), [&](const Edge& e) { return e.id == written.outline.front().id; });
+  if (read.outline.size() != written.outline.size())
+    refuse(std::to_string(read.outline.size()) + " edges instead of " + std::to_string(written.outline.size()));
+  const auto first =
+      std::find_if(read.outline.begin(), read.outline.end(), [&](const Edge& e) { return e.id == written.outline.front().id; });
   if (first == read.outline.end()) refuse("no edge '" + written.outline.front().id + "'");
   std::rotate(read.outline.begin(), first, read.outline.end());
   for (std::size_t e = 0; e < written.outline.size(); ++e) {
@@ -94,15 +120,19 @@ void judge(Job& job) {
   const std::string place = "re-drape";
   Report report;
   if (job.adjustment.stop == AdjustStop::not_developable)
-    report.error("adjust.not-developable", "target", "this shape cannot be cut from flat cloth", "Make the change smaller or spread it over a larger part",
-                 Fault::checks_failed);
+    report.error("adjust.not-developable", "target", "this shape cannot be cut from flat cloth",
+                 "Make the change smaller or spread it over a larger part", Fault::checks_failed);
   if (job.adjustment.stop == AdjustStop::slipped)
-    report.error("adjust.slips", "target", "a garment of this shape slips down", "Let the edit leave the part that holds the garment", Fault::checks_failed);
+    report.error("adjust.slips", "target", "a garment of this shape slips down",
+                 "Let the edit leave the part that holds the garment", Fault::checks_failed);
   if (verified.step.hausdorff > far_from_target * job.scene.body.form.height)
-    report.error("adjust.far-from-target", place, "the pattern drapes up to " + in_mm(verified.step.hausdorff) + " from the target (" +
-                 percent_of_height(verified.step.hausdorff, job) + " of the height)", "Look at the map of distances before you cut", Fault::checks_failed);
+    report.error("adjust.far-from-target", place,
+                 "the pattern drapes up to " + in_mm(verified.step.hausdorff) + " from the target (" +
+                     percent_of_height(verified.step.hausdorff, job) + " of the height)",
+                 "Look at the map of distances before you cut", Fault::checks_failed);
   if (job.redrawn.seam_mismatch > seam_limit)
-    report.error("adjust.seam-mismatch", "pattern", "a seam is " + in_mm(job.redrawn.seam_mismatch) + " off", "See the table of seams", Fault::checks_failed);
+    report.error("adjust.seam-mismatch", "pattern", "a seam is " + in_mm(job.redrawn.seam_mismatch) + " off",
+                 "See the table of seams", Fault::checks_failed);
   add(job, report);
 }
 
@@ -111,6 +141,7 @@ void judge(Job& job) {
 void load(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("read");
+  check_written(recipe.edits);
   job.pattern = take(read_pattern(recipe.pattern.file, {recipe.pattern.unit_in_metres, recipe.pattern.seams}), job);
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
@@ -119,9 +150,9 @@ void load(Job& job, Progress& progress) {
   job.scene.fabric = take(read_fabric(fabric), job);
   job.scene.simulator = find_simulator(recipe.drape.simulator);
   job.scene.hem = recipe.cut.allowances.hem;
-  job.scene.body = make_body(body_of(recipe, job));
-  progress.end(std::to_string(job.pattern.pieces.size()) + " pieces, " + std::to_string(job.pattern.seams.size()) + " seams; body " +
-               job.scene.body.form.name + "; " + job.scene.fabric.name);
+  job.scene.body = ready(body_of(recipe, job), recipe.body.file);
+  progress.end(std::to_string(job.pattern.pieces.size()) + " pieces, " + std::to_string(job.pattern.seams.size()) +
+               " seams; body " + job.scene.body.form.name + "; " + job.scene.fabric.name);
 }
 
 void work(Job& job, Progress& progress) {
@@ -154,14 +185,16 @@ void work(Job& job, Progress& progress) {
   job.redrawn = redraw(job.worn.pattern, job.worn.garment, job.adjustment.rest);
   add(job, job.redrawn.report);
   job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
-  progress.end("outlines within " + in_mm(job.redrawn.max_deviation, 2) + ", seams within " + in_mm(job.redrawn.seam_mismatch, 2));
+  progress.end("outlines within " + in_mm(job.redrawn.max_deviation, 2) + ", seams within " +
+               in_mm(job.redrawn.seam_mismatch, 2));
 }
 
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress) {
   progress.begin("verify");
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
   job.reread = in_order(job.redrawn.pattern, read);
-  job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, drape_bar(progress));
+  job.verified =
+      verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, drape_bar(progress));
   add(job, job.verified.report);
   judge(job);
   progress.end(in_mm(job.verified.step.hausdorff) + " (" + percent_of_height(job.verified.step.hausdorff, job) + ")");

@@ -20,10 +20,11 @@ struct Job {
   Adjustment adjustment;
   Redrawn redrawn;
   CutSheet sheet;
-  Pattern reread;   // the written DXF, read back
+  Pattern reread;  // the written DXF, read back
   Verified verified;
-  AdjustStep flattened;  // the baseline's measures
+  AdjustStep flattened;           // the baseline's measures
   std::vector<Finding> findings;  // of all stages, in order
+  double seconds = 0;             // of the whole run
 };
 
 // Reads what the recipe names. Throws BadInput.

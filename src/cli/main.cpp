@@ -18,7 +18,8 @@ constexpr const char* footer = R"(Exit codes:
    1, 70  a fault of the program   75  interrupted
 Lengths are written with their unit: "10 cm", "5 mm", "5/8 in".)";
 
-constexpr const char* run_help = R"(Reads a pattern, sews and drapes it on a body, makes the recipe's edits in 3D, adjusts the pattern until its drape is
+constexpr const char* run_help =
+    R"(Reads a pattern, sews and drapes it on a body, makes the recipe's edits in 3D, adjusts the pattern until its drape is
 the edited shape, and writes cut sheet and report. The last line on standard output says how well it came out.
 
 Written to the output folder:
@@ -39,11 +40,15 @@ int main_program(int argc, char** argv) {
   CLI::App* run = app.add_subcommand("run", "the main job: a recipe from pattern to cut sheet");
   run->description(run_help);
   run->footer(footer);
-  run->add_option("recipe", options.recipe, "the recipe (TOML); see samples/gored_skirt/shorten.toml")->required()->type_name("RECIPE.toml");
+  run->add_option("recipe", options.recipe, "the recipe (TOML); see samples/gored_skirt/shorten.toml")
+      ->required()
+      ->type_name("RECIPE.toml");
   run->add_option("--out,-o", options.out, "folder for the results; made when missing")->required()->type_name("DIR");
   run->add_flag("--force,-f", options.force, "write into a folder that is not empty, replacing files of the same names");
   std::string progress = "auto";
-  run->add_option("--progress", progress, "progress on standard error: a bar on a terminal, else a line a stage (auto); one JSON object a line (json); none")
+  run->add_option(
+         "--progress", progress,
+         "progress on standard error: a bar on a terminal, else a line a stage (auto); one JSON object a line (json); none")
       ->check(CLI::IsMember({"auto", "json", "none"}))
       ->capture_default_str();
   bool quiet = false;
@@ -55,9 +60,15 @@ int main_program(int argc, char** argv) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   options.quiet = quiet;
-  options.progress = quiet || progress == "none" ? ProgressStyle::none : progress == "json" ? ProgressStyle::json : ProgressStyle::automatic;
+  options.progress = quiet || progress == "none" ? ProgressStyle::none
+                     : progress == "json"        ? ProgressStyle::json
+                                                 : ProgressStyle::automatic;
+  interrupt_by_signals();
   try {
     return run_recipe(options);
+  } catch (const Interrupted&) {
+    std::fputs("toile: interrupted; nothing is written\n", stderr);
+    return exit_interrupted;
   } catch (const BadInput& bad) {
     std::fprintf(stderr, "toile: %s\n", bad.what());
     return exit_code(bad.finding().fault);

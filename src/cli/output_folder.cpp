@@ -22,22 +22,38 @@ OutputFolder::OutputFolder(fs::path folder, bool overwrite) : folder_(std::move(
     throw BadInput({"output.exists", Severity::error, folder_.string(), "the folder is not empty",
                     "Choose another, or give --force to replace files of the same names", Fault::cannot_create});
   if (!fs::exists(status)) {
-    fs::create_directories(folder_, error);
-    if (error) refuse(error.message());
-    made_folder_ = true;
+    std::vector<fs::path> missing;
+    for (fs::path up = fs::absolute(folder_).lexically_normal(); up.has_relative_path() && !fs::exists(up, error);
+         up = up.parent_path())
+      missing.push_back(up);
+    for (auto made = missing.rbegin(); made != missing.rend(); ++made) {
+      if (fs::create_directory(*made, error)) made_.push_back(*made);
+      if (error) {
+        remove_made();
+        refuse(error.message());
+      }
+    }
   }
   staging_ = folder_ / (".toile-" + std::to_string(getpid()));
   fs::create_directory(staging_, error);
   if (error) {
-    if (made_folder_) fs::remove(folder_, error);
-    refuse(error.message());
+    const std::string why = error.message();
+    remove_made();
+    refuse(why);
   }
 }
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
-  if (made_folder_ && !kept_) fs::remove(folder_, ignored);
+  if (!kept_) remove_made();
+}
+
+void OutputFolder::remove_made() {
+  std::error_code ignored;
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+    fs::remove(*folder, ignored);  // unless it holds something by now
+  made_.clear();
 }
 
 fs::path OutputFolder::path(const std::string& name) const { return staging_ / name; }

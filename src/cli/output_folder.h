@@ -24,8 +24,10 @@ class OutputFolder {
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  void remove_made();
+
   std::filesystem::path folder_, staging_;
-  bool made_folder_ = false;
+  std::vector<std::filesystem::path> made_;  // folders that were not there, outermost first
   bool kept_ = false;
 };
 

@@ -25,7 +25,8 @@ std::vector<Picture> write_pictures(const Job& job, const OutputFolder& out) {
   write("source.png", "The pattern as it was read, draped.", drape_picture(showing, job.worn.drape.positions, "source"));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
   write("redrape.png", "The adjusted pattern draped anew, coloured by its distance to the target.",
-        distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"}, scale_top({adjusted})));
+        distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"},
+                         scale_top({adjusted})));
   write("compared.png", "Plain flattening and adjusted pattern on one scale.",
         compared_picture(showing, {job.adjustment.flattened_drape.positions, flattened, "plain flattening"},
                          {job.verified.drape.positions, adjusted, "adjusted"}, scale_top({flattened, adjusted})));

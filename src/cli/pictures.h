@@ -10,9 +10,9 @@
 namespace toile {
 
 struct Picture {
-  std::string file;     // in the output folder
+  std::string file;  // in the output folder
   std::string caption;
-  std::string png;      // its bytes
+  std::string png;  // its bytes
 };
 
 // Draws and writes source, target, re-drape with its distance to the target, flattening beside it on the same scale, outlines.

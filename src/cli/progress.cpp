@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -17,7 +18,17 @@ void json_line(const nlohmann::ordered_json& event) {
   std::fflush(stderr);
 }
 
+volatile std::sig_atomic_t interrupted = 0;
+
+void stop_if_interrupted() {
+  if (interrupted) throw Interrupted{};
+}
+
 }  // namespace
+
+void interrupt_by_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, [](int) { interrupted = 1; });
+}
 
 Progress::Progress(ProgressStyle style) : style_(style), terminal_(isatty(STDERR_FILENO) != 0) {
   if (style_ == ProgressStyle::automatic)
@@ -31,6 +42,7 @@ Progress::~Progress() {
 }
 
 void Progress::begin(const std::string& stage) {
+  stop_if_interrupted();
   stage_ = stage;
   last_percent_ = -1;
   if (style_ == ProgressStyle::json) json_line({{"event", "begin"}, {"stage", stage}});
@@ -38,6 +50,7 @@ void Progress::begin(const std::string& stage) {
 }
 
 void Progress::update(double done, const std::string& detail) {
+  stop_if_interrupted();
   const int percent = static_cast<int>(100 * std::clamp(done, 0.0, 1.0));
   if (style_ == ProgressStyle::json) {
     json_line({{"event", "progress"}, {"stage", stage_}, {"percent", percent}, {"detail", detail}});

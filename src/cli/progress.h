@@ -7,6 +7,10 @@ namespace toile {
 
 enum class ProgressStyle { automatic, plain, json, none };
 
+// Thrown by Progress once SIGINT, SIGTERM or SIGHUP has come, so that what is half made is removed on the way out.
+struct Interrupted {};
+void interrupt_by_signals();
+
 class Progress {
  public:
   explicit Progress(ProgressStyle style);

@@ -65,6 +65,16 @@ class Section {
     into = *value;
   }
 
+  void whole_number(const std::string& key, int& into, int least, int most) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    const auto value = node->value_exact<int64_t>();
+    if (!value || *value < least || *value > most)
+      fail(node, "recipe.out-of-range", "'" + label(key) + "' is not a whole number in its range",
+           "Give a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    into = static_cast<int>(*value);
+  }
+
   void refuse_unknown() const {
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
@@ -174,9 +184,7 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   }
 
   Section adjusting = section("adjust", false);
-  double steps = recipe.adjust.steps;
-  adjusting.number("steps", steps, 1, 50);
-  recipe.adjust.steps = static_cast<int>(steps);
+  adjusting.whole_number("steps", recipe.adjust.steps, 1, 50);
   adjusting.number("tolerance", recipe.adjust.tolerance, 1e-8, 1e-1);
   adjusting.refuse_unknown();
 

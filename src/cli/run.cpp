@@ -1,13 +1,15 @@
 #include "cli/run.h"
 
+#include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 
+#include "cli/account.h"
 #include "cli/job.h"
 #include "cli/output_folder.h"
 #include "cli/pictures.h"
 #include "cli/recipe_file.h"
-#include "cli/summary.h"
 #include "cli/templates.h"
 #include "formats/formats.h"
 #include "formats/svg/sheet_style.h"
@@ -49,6 +51,7 @@ void say(const Job& job, const RunOptions& options) {
 }  // namespace
 
 int run_recipe(const RunOptions& options) {
+  const auto began = std::chrono::steady_clock::now();
   Progress progress(options.progress);
   Job job;
   job.recipe = value_or_throw(read_recipe(options.recipe));
@@ -63,8 +66,12 @@ int run_recipe(const RunOptions& options) {
   write_results(job, out, stem);
   const auto pictures = write_pictures(job, out);
   std::vector<std::string> files = out.names();
-  files.push_back("summary.json");
-  write_whole_file(out.path("summary.json"), summary_json(job, files));
+  files.insert(files.end(), {"report.html", "summary.json"});
+  std::sort(files.begin(), files.end());
+  job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  write_report(out.path("report.html"), report_of(job, value_or_throw(read_whole_file(options.recipe)), pictures, files),
+               template_file("reports", "report.html"));
+  write_summary(out.path("summary.json"), summary_of(job, files));
   out.keep();
   progress.end(std::to_string(files.size()) + " files in " + out.folder().string());
   say(job, options);

@@ -1,0 +1,146 @@
+#include "cli/account.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/exit_codes.h"
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+std::string plain(const char* form, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, form, value);
+  return text;
+}
+
+std::vector<ReportFact> inputs(const Job& job) {
+  const Recipe& recipe = job.recipe;
+  std::vector<ReportFact> facts{
+      {"pattern", recipe.pattern.file.filename().string()},
+      {"body", job.scene.body.form.name + ", " + plain("%.1f cm tall", job.scene.body.form.height * cm_per_m)},
+      {"fabric", job.scene.fabric.name},
+      {"simulator", job.scene.simulator.name},
+      {"edge length", in_mm(recipe.drape.edge_length)},
+      {"tolerance", plain("%.0e", recipe.drape.tolerance)},
+      {"program", std::string("toile ") + TOILE_VERSION}};
+  for (const Edit& edit : recipe.edits) {
+    std::string words;
+    for (const auto& [name, value] : edit.arguments) words += (words.empty() ? "" : ", ") + name + " " + value;
+    facts.push_back({"edit: " + edit.operation, words});
+  }
+  return facts;
+}
+
+std::vector<ReportFact> drape_facts(const Job& job) {
+  const Drape& drape = job.worn.drape;
+  return {{"triangles", std::to_string(triangle_count(job.worn.garment))},
+          {"settled", drape.settled ? "yes" : "no"},
+          {"unbalanced force / weight", plain("%.1e", drape.residual)},
+          {"deepest inside the body", in_mm(drape.max_penetration, 2)},
+          {"widest seam when sewn", in_mm(job.worn.seam_gap, 2)},
+          {"dropped", in_mm(drape.slipped)},
+          {"time", plain("%.1f s", drape.seconds)}};
+}
+
+std::vector<ReportSeam> seams(const Job& job) {
+  std::vector<ReportSeam> rows;
+  const Pattern& before = job.worn.pattern;
+  const Pattern& after = job.redrawn.pattern;
+  for (const Seam& seam : before.seams) {
+    ReportSeam row;
+    row.name = seam.name.empty() ? seam.a.piece + "." + seam.a.edge + " - " + seam.b.piece + "." + seam.b.edge : seam.name;
+    row.before_a = span_length(before, seam.a);
+    row.before_b = span_length(before, seam.b);
+    row.after_a = span_length(after, seam.a);
+    row.after_b = span_length(after, seam.b);
+    row.mismatch = std::abs(row.after_a - row.before_a / row.before_b * row.after_b);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<ReportEdge> edges(const Job& job) {
+  std::vector<ReportEdge> rows;
+  for (std::size_t p = 0; p < job.redrawn.pattern.pieces.size(); ++p) {
+    const Piece& before = job.worn.pattern.pieces[p];
+    const Piece& after = job.redrawn.pattern.pieces[p];
+    for (std::size_t e = 0; e < after.outline.size(); ++e)
+      rows.push_back({after.name, after.outline[e].id, length(before.outline[e]), length(after.outline[e]),
+                      is_straight(after.outline[e]), static_cast<int>(after.outline[e].points.size())});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string verdict(const Job& job) {
+  char words[512];
+  const double h = job.scene.body.form.height;
+  std::snprintf(words, sizeof words,
+                "%s: off the target by %.1f mm (%.2f %% of height) as flattened, %.1f mm (%.2f %%) as adjusted, mean %.2f mm; "
+                "seams match "
+                "within %.2f mm",
+                job.recipe.name.c_str(), job.flattened.hausdorff * mm_per_m, 100 * job.flattened.hausdorff / h,
+                job.verified.step.hausdorff * mm_per_m, 100 * job.verified.step.hausdorff / h,
+                job.verified.step.mean * mm_per_m, job.redrawn.seam_mismatch * mm_per_m);
+  return words;
+}
+
+RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
+  const AdjustStep& proved = job.verified.step;
+  RunSummary summary;
+  summary.version = TOILE_VERSION;
+  summary.recipe = job.recipe.name;
+  summary.verdict = verdict(job);
+  summary.ok = exit_code(job) == exit_ok;
+  summary.mannequin = {job.scene.body.form.name, job.scene.body.form.height};
+  summary.garment = {job.pattern.name, triangle_count(job.worn.garment), static_cast<int>(job.worn.garment.panels.size())};
+  summary.fabric = job.scene.fabric.name;
+  summary.drape = job.worn.drape;
+  summary.tolerance = job.recipe.drape.tolerance;
+  summary.seam_gap = job.worn.seam_gap;
+  summary.flattened = {job.flattened.hausdorff, job.flattened.mean, job.flattened.stretch};
+  summary.adjusted.distance = {proved.hausdorff, proved.mean, proved.stretch};
+  summary.adjusted.stop = job.adjustment.stop;
+  summary.adjusted.steps = job.adjustment.steps;
+  summary.adjusted.best = job.adjustment.best;
+  summary.adjusted.seam_mismatch = job.redrawn.seam_mismatch;
+  summary.adjusted.settled = job.verified.drape.settled;
+  summary.adjusted.residual = job.verified.drape.residual;
+  summary.adjusted.max_penetration = job.verified.drape.max_penetration;
+  summary.adjusted.seconds = job.adjustment.seconds;
+  summary.outlines = {job.redrawn.max_deviation, job.redrawn.symmetry};
+  summary.findings = job.findings;
+  summary.files = files;
+  summary.seconds = job.seconds;
+  return summary;
+}
+
+RunReport report_of(const Job& job, const std::string& recipe_text, const std::vector<Picture>& pictures,
+                    const std::vector<std::string>& files) {
+  const AdjustStep& proved = job.verified.step;
+  RunReport report;
+  report.title = job.recipe.name;
+  report.verdict = verdict(job);
+  for (const Finding& finding : job.findings) report.outcome = std::max(report.outcome, finding.severity);
+  report.inputs = inputs(job);
+  report.drape = drape_facts(job);
+  report.height = job.scene.body.form.height;
+  report.distances = {{"plain flattening", job.flattened.mean, job.flattened.hausdorff, job.flattened.stretch},
+                      {"adjusted, read back and draped anew", proved.mean, proved.hausdorff, proved.stretch}};
+  report.steps = job.adjustment.steps;
+  report.best = job.adjustment.best;
+  report.stop = in_words(job.adjustment.stop);
+  report.seams = seams(job);
+  report.edges = edges(job);
+  report.findings = job.findings;
+  for (const Picture& picture : pictures) report.pictures.push_back({picture.caption, picture.png});
+  report.files = files;
+  report.recipe = recipe_text;
+  return report;
+}
+
+}  // namespace toile
