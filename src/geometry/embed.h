@@ -23,8 +23,8 @@ struct MatingEdges {
 };
 
 struct EmbedOptions {
-  // Against the mean cotangent weight of a triangle edge, at 500 triangles a panel; scaled with resolution. 50 leaves a tenth of
-  // what the seams' own triangles disagree by.
+  // Against the mean cotangent weight of a triangle edge, at 500 triangles a panel; scaled with resolution. 50 leaves a tenth
+  // of what the seams' own triangles disagree by.
   double seam_weight = 50;
   int most_iterations = 60;
   double tolerance = 1e-7;  // m, largest move of a vertex in one iteration
