@@ -141,7 +141,7 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   if (const auto units = pattern.text("units")) {
     recipe.pattern.unit_in_metres = parse_length("1" + *units);
     if (!recipe.pattern.unit_in_metres)
-      pattern.fail(nullptr, "recipe.unknown-unit", "'pattern.units' is '" + *units + "'", "Use mm, cm, m or in");
+      pattern.fail(pattern.find("units"), "recipe.unknown-unit", "'pattern.units' is '" + *units + "'", "Use mm, cm, m or in");
   }
   pattern.refuse_unknown();
 
