@@ -8,7 +8,8 @@
 namespace toile::fem {
 namespace {
 
-const Fabric jersey{.name = "test", .stretch_warp = 300, .stretch_weft = 200, .stretch_cross = 60, .shear = 80, .most_stretch = .1};
+const Fabric jersey{
+    .name = "test", .stretch_warp = 300, .stretch_weft = 200, .stretch_cross = 60, .shear = 80, .most_stretch = .1};
 
 MembraneElement element() {
   Eigen::Matrix2d edges;
@@ -84,8 +85,10 @@ TEST(Contact, ForceAndStiffnessAreDerivativesOfTheEnergy) {
   const ContactLaw law;
   const double area = 1e-4, h = 1e-8;
   for (const double d : {-2e-4, 1e-4, 5e-4, 9e-4, 2e-3}) {
-    EXPECT_NEAR(normal_force(law, area, d), -(normal_energy(law, area, d + h) - normal_energy(law, area, d - h)) / (2 * h), 1e-7);
-    EXPECT_NEAR(normal_stiffness(law, area, d), -(normal_force(law, area, d + h) - normal_force(law, area, d - h)) / (2 * h), 1e-3);
+    EXPECT_NEAR(normal_force(law, area, d), -(normal_energy(law, area, d + h) - normal_energy(law, area, d - h)) / (2 * h),
+                1e-7);
+    EXPECT_NEAR(normal_stiffness(law, area, d), -(normal_force(law, area, d + h) - normal_force(law, area, d - h)) / (2 * h),
+                1e-3);
   }
 }
 
@@ -105,7 +108,8 @@ TEST(Friction, HessianIsTheDifferenceQuotientOfTheGradient) {
   const Eigen::Matrix3d hessian = friction_hessian(law, state, x);
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d h = 1e-8 * Eigen::Vector3d::Unit(i);
-    EXPECT_TRUE(hessian.col(i).isApprox((friction_gradient(law, state, x + h) - friction_gradient(law, state, x - h)) / 2e-8, 1e-5));
+    EXPECT_TRUE(
+        hessian.col(i).isApprox((friction_gradient(law, state, x + h) - friction_gradient(law, state, x - h)) / 2e-8, 1e-5));
     const double quotient = (friction_energy(law, state, x + h) - friction_energy(law, state, x - h)) / 2e-8;
     EXPECT_NEAR(friction_gradient(law, state, x)(i), quotient, 1e-6);
   }
