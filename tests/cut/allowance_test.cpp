@@ -194,6 +194,17 @@ TEST(Allowance, ADartThatIsTooNarrowIsCutStraightAcross) {
   EXPECT_NEAR(signed_area(line), .32 * .22, 1e-9);
 }
 
+TEST(Allowance, ALeafShapedDartIsNotCutOpen) {
+  Piece leaf =
+      polygon_piece({{0, 0}, {.3, 0}, {.3, .4}, {.155, .4}, {.18, .25}, {.15, .1}, {.12, .25}, {.145, .4}, {0, .4}}, {.01});
+  // Its legs are curved edges, not two each.
+  Edge down = edge("down", {{.155, .4}, {.18, .25}, {.15, .1}}), up = edge("up", {{.15, .1}, {.12, .25}, {.145, .4}});
+  leaf.outline.erase(leaf.outline.begin() + 3, leaf.outline.begin() + 7);
+  leaf.outline.insert(leaf.outline.begin() + 3, {down, up});
+  const Polygon line = places(add_allowance(leaf).cut_line);
+  EXPECT_NEAR(signed_area(line), .32 * .42, 1e-9);
+}
+
 TEST(Allowance, WithoutRoomBetweenTwoArmsIsRefusedWithTheEdge) {
   // The gap between the arms of a U: 12 mm, with 10 mm of allowance on both sides.
   Piece u = polygon_piece({{0, 0}, {.2, 0}, {.2, .3}, {.106, .3}, {.106, .1}, {.094, .1}, {.094, .3}, {0, .3}}, {.01});
