@@ -52,7 +52,7 @@ class BadInputs : public testing::Test {
  protected:
   BadInputs() {
     recipe_ = contents(samples / "shorten.toml");
-    recipe_ = with(recipe_, "15.5 mm", "30 mm");
+    recipe_ = with(recipe_, "14 mm", "30 mm");
     recipe_ = with(recipe_, "tolerance = 1e-4", "tolerance = 1e-2");
     dxf_ = contents(samples / "gored_skirt.dxf");
     seams_ = contents(samples / "gored_skirt.seams.toml");
