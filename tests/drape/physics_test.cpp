@@ -111,18 +111,24 @@ TEST_F(SheetOnBall, TheSameTwiceToTheBit) {
   EXPECT_TRUE((once.positions.array() == again.positions.array()).all());
 }
 
+// Near: from a drape at rest, with the pattern one percent smaller, as every step of the adjustment asks. (From far away either may
+// find other folds.)
 TEST_F(SheetOnBall, BothSolversFindTheSameDrape) {
-  const DrapeRequest request{.garment = cap_, .start = cap_start_, .body = body_, .fabric = isotropic, .tolerance = 1e-6};
-  const Drape full = find_simulator("fem").drape(request), projected = find_simulator("fem-projected").drape(request);
+  const DrapeRequest far{.garment = cap_, .start = cap_start_, .body = body_, .fabric = isotropic, .tolerance = 1e-4};
+  const Eigen::Matrix3Xd start = find_simulator("fem").drape(far).positions;
+  RestShape smaller = rest_shape(cap_);
+  for (Eigen::Matrix2Xd& panel : smaller) panel *= .99;
+  const GarmentMesh changed = with_rest(cap_, smaller);
+  const DrapeRequest near{.garment = changed, .start = start, .body = body_, .fabric = isotropic, .tolerance = 1e-4};
+  const Drape full = find_simulator("fem").drape(near), projected = find_simulator("fem-projected").drape(near);
   EXPECT_TRUE(full.settled && projected.settled);
-  const double apart = (full.positions - projected.positions).colwise().norm().maxCoeff();
-  EXPECT_LT(apart, .5e-3);
-  RecordProperty("apart_mm", std::to_string(1e3 * apart));
+  EXPECT_GT((full.positions - start).colwise().norm().maxCoeff(), .5e-3);
+  EXPECT_LT((full.positions - projected.positions).colwise().norm().maxCoeff(), .5e-3);
 }
 
 TEST_F(SheetOnBall, NoSmallMoveAwayFromEquilibriumLowersTheEnergy) {
   const fem::Model model = fem::make_model(cap_, isotropic, body_);
-  const fem::Equilibrium found = fem::find_equilibrium(model, cap_start_, {.tolerance = 1e-6});
+  const fem::Equilibrium found = fem::find_equilibrium(model, cap_start_, {.tolerance = 2e-5});
   ASSERT_TRUE(found.settled) << found.residual;
   fem::Friction friction = fem::start_friction(model, cap_start_);
   for (int i = 0; i < 60; ++i) fem::update_friction(model, found.x, 1, friction);
