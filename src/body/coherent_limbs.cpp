@@ -94,10 +94,10 @@ class Rings {
       if (axes[i].name.rfind("leg.", 0) == 0) legs_.push_back(static_cast<int>(i));
       if (axes[i].name.rfind("arm.", 0) == 0) arms_.push_back(static_cast<int>(i));
     }
-    const auto [low, high] = upright_extent(form);
+    const UprightExtent extent = upright_extent(form);
     const auto level = [&](const char* name, double share) {
       const auto found = form.landmarks.find(name);
-      return found != form.landmarks.end() ? found->second : low + share * (high - low);
+      return found != form.landmarks.end() ? found->second : extent.low + share * (extent.high - extent.low);
     };
     armpit_ = level("armpit", .755);
     crotch_ = level("crotch", .45);

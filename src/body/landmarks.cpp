@@ -44,9 +44,9 @@ UprightExtent upright_extent(const Mannequin& form) {
 }
 
 std::map<std::string, double> measured_landmarks(const Mannequin& form) {
-  const auto [low, high] = upright_extent(form);
-  const double height = high - low, step = .008 * height;
-  const auto at = [&](double share) { return low + share * height; };
+  const UprightExtent extent = upright_extent(form);
+  const double height = extent.high - extent.low, step = .008 * height;
+  const auto at = [&](double share) { return extent.low + share * height; };
   std::map<std::string, double> levels;
 
   const Level waist = refined_level(form, at(.55), at(.70), step, std::less<>());

@@ -64,8 +64,8 @@ Vec middle_of_waist(const Mannequin& form, double low, double high) {
 }  // namespace
 
 std::vector<LimbAxis> limb_axes(const Mannequin& form) {
-  const auto [low, high] = upright_extent(form);
-  const double floor = std::min(0.0, low);
+  const UprightExtent extent = upright_extent(form);
+  const double floor = std::min(0.0, extent.low);
   std::vector<LimbAxis> axes;
   const Bone *left = find_bone(form, "thigh.L"), *right = find_bone(form, "thigh.R");
   if (left && right) {
@@ -77,10 +77,10 @@ std::vector<LimbAxis> limb_axes(const Mannequin& form) {
       }
     const Vec hips = (left->from + right->from) / 2;
     // The spine ends in the sacrum, behind the hip joints: only what is above them counts.
-    downwards.erase(
-        std::remove_if(downwards.begin(), downwards.end(), [&](const Vec& at) { return at[1] < hips[1] + .03 * (high - low); }),
-        downwards.end());
-    if (downwards.empty()) downwards.push_back({hips[0], high, hips[2]});
+    downwards.erase(std::remove_if(downwards.begin(), downwards.end(),
+                                   [&](const Vec& at) { return at[1] < hips[1] + .03 * (extent.high - extent.low); }),
+                    downwards.end());
+    if (downwards.empty()) downwards.push_back({hips[0], extent.high, hips[2]});
     downwards.push_back(hips);
     axes.push_back(upright_axis(downwards, floor));
     for (const std::string side : {".L", ".R"}) {
@@ -91,8 +91,8 @@ std::vector<LimbAxis> limb_axes(const Mannequin& form) {
   }
   for (const Bone& bone : form.bones) add_limb(form, bone.name, {bone.name}, axes);
   if (!axes.empty()) return axes;
-  const Vec waist = middle_of_waist(form, low, high);
-  axes.push_back(upright_axis({{waist[0], high, waist[2]}, {waist[0], low, waist[2]}}, floor));
+  const Vec waist = middle_of_waist(form, extent.low, extent.high);
+  axes.push_back(upright_axis({{waist[0], extent.high, waist[2]}, {waist[0], extent.low, waist[2]}}, floor));
   return axes;
 }
 

@@ -8,7 +8,7 @@
 
 #include "body/figure.h"
 #include "body/landmarks.h"
-#include "body/shapes.h"
+#include "body/tubes.h"
 
 namespace toile {
 namespace {

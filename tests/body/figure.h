@@ -1,7 +1,7 @@
 #pragma once
 // A body of cylinders with a skeleton: radii and axes are known, so places relative to it have a closed form.
 
-#include "body/shapes.h"
+#include "body/tubes.h"
 #include "garment/mannequin.h"
 
 namespace toile::test {

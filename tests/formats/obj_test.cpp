@@ -1,58 +1,24 @@
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "body/body.h"
+#include "formats/folder.h"
 #include "formats/formats.h"
 #include "formats/obj/mesh_text.h"
-#include "formats/obj/skeleton.h"
 
 namespace toile {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder of its own for each test, removed afterwards.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "toile_obj_XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::permissions(path_, fs::perms::owner_all, ignored);
-    fs::remove_all(path_, ignored);
-  }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
-
-std::string contents(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
+using test::contents;
+using test::Folder;
 
 // The first error, "CODE @ PLACE".
 std::string error_of(const Report& report) {
@@ -68,12 +34,6 @@ std::string mesh_error(const std::string& text) {
     EXPECT_FALSE(finding.text.empty());
     EXPECT_TRUE(finding.severity != Severity::error || !finding.remedy.empty());
   }
-  return error_of(loaded.report);
-}
-
-std::string skeleton_error(const std::string& text) {
-  const auto loaded = read_skeleton_text(text, "a.skeleton.json");
-  EXPECT_EQ(loaded.value.has_value(), loaded.report.ok());
   return error_of(loaded.report);
 }
 
@@ -150,33 +110,6 @@ TEST(ObjMesh, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(mesh_error(three), "obj.no-faces @ a.obj");
   EXPECT_EQ(mesh_error(""), "obj.no-faces @ a.obj");
   EXPECT_EQ(mesh_error(std::string("PK\x03\x04\0\0v\0f\n\xff\xfe", 14)), "obj.no-faces @ a.obj");
-}
-
-TEST(Skeleton, MapsLandmarksAndMeasuresToOurNames) {
-  const auto loaded =
-      read_skeleton_text(R"({"name": "x", "units": "cm", "landmarks_m": {"height": 1.7, "waist_y": 1.05, "highhip_y": 0.93,
-    "waist": 0.7, "upperarm": 0.28, "elbow_y": 1.1}, "bones": [{"name": "pelvis", "parent": null, "head": [0, 85, 0], "tail": [0, 85, 2]},
-    {"name": "thigh.L", "parent": "pelvis", "head": [9, 83, 1], "tail": [12, 45, 4]}], "vertex_weights": [[1]]})",
-                         "x.skeleton.json");
-  ASSERT_TRUE(loaded.value) << error_of(loaded.report);
-  EXPECT_EQ(loaded.value->landmarks, (std::map<std::string, double>{{"elbow", 1.1}, {"high_hip", .93}, {"waist", 1.05}}));
-  EXPECT_EQ(loaded.value->measures, (std::map<std::string, double>{{"upper_arm", .28}, {"waist", .7}}));
-  ASSERT_EQ(loaded.value->bones.size(), 2u);
-  EXPECT_EQ(loaded.value->bones[1].parent, "pelvis");
-  EXPECT_LT((loaded.value->bones[1].to - Eigen::Vector3d(.12, .45, .04)).norm(), 1e-12);
-}
-
-TEST(Skeleton, NamesTheFieldOfWhatIsWrong) {
-  EXPECT_EQ(skeleton_error("{\"name\": \"x\",\n \"bones\": [}"), "skeleton.malformed @ a.skeleton.json:2");
-  EXPECT_EQ(skeleton_error("[1]"), "skeleton.malformed @ a.skeleton.json");
-  EXPECT_EQ(skeleton_error("{\"bones\": [{\"name\": \"a\", \"head\": [0, 1], \"tail\": [0, 1, 2]}]}"),
-            "skeleton.malformed @ a.skeleton.json, bones[0].head");
-  EXPECT_EQ(skeleton_error("{\"bones\": [{\"name\": 3}]}"), "skeleton.malformed @ a.skeleton.json, bones[0].name");
-  EXPECT_EQ(skeleton_error("{\"landmarks_m\": {\"waist_y\": \"high\"}}"),
-            "skeleton.malformed @ a.skeleton.json, landmarks_m.waist_y");
-  EXPECT_EQ(skeleton_error("{\"units\": \"ell\"}"), "skeleton.unknown-unit @ a.skeleton.json, units");
-  EXPECT_EQ(skeleton_error("{\"bones\": [{\"name\": \"a\", \"parent\": \"b\", \"head\": [0, 1, 2], \"tail\": [0, 1, 2]}]}"),
-            "skeleton.no-such-parent @ a.skeleton.json");
 }
 
 TEST(ReadBody, FindsTheSkeletonOfTheBodyAndOfItsWrap) {
@@ -302,56 +235,6 @@ TEST(WriteObj, BodyAndSkeletonComeBackAsTheyWere) {
   ASSERT_EQ(back.value->bones.size(), 2u);
   EXPECT_EQ(back.value->bones[1].parent, "pelvis");
   EXPECT_LT((back.value->bones[1].to - body.bones[1].to).norm(), 1e-7);
-}
-
-TEST(WholeFile, ComesBackByteForByte) {
-  const Folder folder;
-  std::string bytes;
-  for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * 7);
-  write_whole_file(folder / "a.bin", bytes);
-  EXPECT_EQ(read_whole_file(folder / "a.bin").value, bytes);
-  write_whole_file(folder / "a.bin", "short");
-  EXPECT_EQ(read_whole_file(folder / "a.bin").value, "short");
-  EXPECT_EQ(folder.entries(), 1u);
-}
-
-TEST(WholeFile, LeavesNothingBehindWhenItCannotBeWritten) {
-  const Folder folder;
-  fs::create_directory(folder / "taken");
-  folder.write("file", "old");
-  for (const fs::path& target : {folder / "taken", folder / "missing/a.svg", folder / "file/a.svg", folder / ""}) try {
-      write_whole_file(target, "new");
-      ADD_FAILURE() << target;
-    } catch (const BadInput& bad) {
-      EXPECT_EQ(bad.finding().code, "file.cannot-create");
-      EXPECT_EQ(bad.finding().fault, Fault::cannot_create);
-      EXPECT_FALSE(bad.finding().remedy.empty());
-    }
-  EXPECT_EQ(folder.entries(), 2u);
-  EXPECT_EQ(contents(folder / "file"), "old");
-}
-
-TEST(WholeFile, LeavesTheOldFileWhenThereIsNoRoom) {
-  const Folder folder;
-  folder.write("file", "old");
-  // The largest size a file may have stands in for a full disk.
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = before;
-  tight.rlim_cur = 1000;
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
-  std::string code;
-  try {
-    write_whole_file(folder / "file", std::string(5000, 'x'));
-  } catch (const BadInput& bad) {
-    code = bad.finding().code;
-  }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(code, "file.cannot-create");
-  EXPECT_EQ(folder.entries(), 1u);
-  EXPECT_EQ(contents(folder / "file"), "old");
 }
 
 // Realistic bodies, not part of the project.
