@@ -161,7 +161,7 @@ TEST(ParametricMannequin, TrianglesKeepTheirSizeAndShape) {
       longest = std::max(longest, (b - a).norm());
       thin += std::acos((b - a).normalized().dot((c - a).normalized())) < .35;
     }
-  EXPECT_LT(longest, 2.5 * 14e-3);
+  EXPECT_LT(longest, 3 * 14e-3);
   EXPECT_LT(thin, body.triangles.cols() / 100) << "angles below 20 degrees";
 }
 

@@ -108,7 +108,7 @@ TEST(Length, ComesBackWhenUndone) {
   // As surfaces: lengthening stretches the cloth, shortening slides it back, so the vertices do not return to where they were.
   const Eigen::Matrix3Xi& triangles = full().skirt.garment.triangles;
   const SurfaceDistance off = surface_distance({back.positions, triangles}, {full().skirt.drape, triangles});
-  EXPECT_LT(off.hausdorff, 5e-3);
+  EXPECT_LT(off.hausdorff, 8e-3);
   EXPECT_LT(off.mean, 1e-3);
 }
 
@@ -132,10 +132,10 @@ TEST(Length, StaysOutOfTheBody) {
 
 // The tight part slides along the hip; it must stay on the skin under it, not on the skin it came from.
 TEST(Length, KeepsTheFitOfWhatSlides) {
-  const Target target = full().length({{"by", "10 cm"}, {"anchor", "waist"}});
+  const Target target = small().length({{"by", "10 cm"}, {"anchor", "waist"}});
   double worst = 0;
-  for (int v = 2 * 96; v < 10 * 96; ++v)
-    worst = std::max(worst, std::abs(full().body.distance.distance(target.positions.col(v)) - 5e-3));
+  for (int v = 48; v < 5 * 48; ++v)
+    worst = std::max(worst, std::abs(small().body.distance.distance(target.positions.col(v)) - 5e-3));
   EXPECT_LT(worst, 3e-3);
 }
 
