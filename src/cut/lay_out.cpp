@@ -134,6 +134,13 @@ std::optional<Spot> lowest_spot(const Skyline& skyline, const std::vector<Lying>
   return best;
 }
 
+// `words` with the size, unless they end in it already.
+std::string with_size(const std::string& words, const std::string& size) {
+  const std::string ending = "size " + size;
+  const bool said = words.size() >= ending.size() && words.compare(words.size() - ending.size(), ending.size(), ending) == 0;
+  return size.empty() || said ? words : words + (words.empty() ? "" : ", ") + ending;
+}
+
 CutPiece cut_piece(const Pattern& pattern, Piece piece, const AllowanceRules& rules) {
   const bool grain_given = piece.grainline.has_value();
   AllowanceRules own = rules;
@@ -154,7 +161,7 @@ CutPiece cut_piece(const Pattern& pattern, Piece piece, const AllowanceRules& ru
   cut.size = pattern.sample_size;
   std::vector<std::string> heading;
   if (!pattern.style.empty() || !pattern.name.empty()) heading.push_back(pattern.style.empty() ? pattern.name : pattern.style);
-  if (!cut.size.empty()) cut.labels.front() += ", size " + cut.size;
+  cut.labels.front() = with_size(cut.labels.front(), cut.size);
   cut.labels.insert(cut.labels.begin(), heading.begin(), heading.end());
   if (piece.material.empty() && !pattern.fabric.empty()) cut.labels.push_back("Fabric: " + pattern.fabric);
   cut.labels.push_back(grain_given ? "Grain along the arrow" : "Grain along the arrow (none was given: taken upright)");
@@ -167,8 +174,7 @@ CutSheet lay_out(const Pattern& pattern, const SheetRules& rules) {
   if (!(rules.width > 2 * rules.margin) || !(rules.gap >= 0) || !(rules.margin >= 0))
     throw std::invalid_argument("lay_out: page rules");
   CutSheet sheet;
-  sheet.title = pattern.style.empty() ? pattern.name : pattern.style;
-  if (!pattern.sample_size.empty()) sheet.title += ", size " + pattern.sample_size;
+  sheet.title = with_size(pattern.style.empty() ? pattern.name : pattern.style, pattern.sample_size);
   sheet.page_width = rules.width;
   sheet.seams = pattern.seams;
   std::vector<CutPiece> cuts;

@@ -27,10 +27,7 @@ Vector2d mean(const Loop& loop, const std::vector<std::size_t>& which) {
   return sum / static_cast<double>(which.size());
 }
 
-// `loop` turned as `like` and hung from the points `upper` of it.
-Loop laid_over(const Loop& loop, const Loop& like, const std::vector<std::size_t>& upper) {
-  std::vector<std::size_t> all(loop.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+Loop turned_as(const Loop& loop, const Loop& like, const std::vector<std::size_t>& all) {
   const Vector2d from = mean(loop, all), to = mean(like, all);
   double sine = 0, cosine = 0;
   for (const std::size_t i : all) {
@@ -41,10 +38,55 @@ Loop laid_over(const Loop& loop, const Loop& like, const std::vector<std::size_t
   const double turn = std::atan2(sine, cosine);
   Eigen::Matrix2d rotation;
   rotation << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
-  const Vector2d shift = mean(like, upper) - rotation * mean(loop, upper);
-  Loop laid;
-  for (const Vector2d& p : loop) laid.push_back(rotation * p + shift);
-  return laid;
+  Loop turned;
+  for (const Vector2d& p : loop) turned.push_back(rotation * p);
+  return turned;
+}
+
+double distance_to(const Loop& loop, const Vector2d& point) {
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vector2d a = loop[i], ab = loop[(i + 1) % loop.size()] - a;
+    const double t = ab.squaredNorm() > 0 ? std::clamp((point - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) : 0;
+    nearest = std::min(nearest, (a + t * ab - point).norm());
+  }
+  return nearest;
+}
+
+// Points at the upper, lower, right and left end of `like` by the grain, and all of them.
+std::vector<std::vector<std::size_t>> places_to_hang(const Loop& like, const Vector2d& up) {
+  std::vector<std::vector<std::size_t>> places;
+  for (const Vector2d& end : {up, Vector2d(-up), Vector2d(up.y(), -up.x()), Vector2d(-up.y(), up.x())}) {
+    double lowest = INFINITY, highest = -INFINITY;
+    for (const Vector2d& p : like) lowest = std::min(lowest, p.dot(end)), highest = std::max(highest, p.dot(end));
+    places.emplace_back();
+    for (std::size_t i = 0; i < like.size(); ++i)
+      if (like[i].dot(end) >= highest - 0.03 * (highest - lowest)) places.back().push_back(i);
+  }
+  places.emplace_back(like.size());
+  for (std::size_t i = 0; i < like.size(); ++i) places.back()[i] = i;
+  return places;
+}
+
+// `loop` turned as `like` and shifted so that as much of it as possible lies on `like`.
+Loop laid_over(const Loop& loop, const Loop& like, const std::vector<std::vector<std::size_t>>& places) {
+  constexpr double off = 3e-3;  // m, beyond which a point does not lie on it
+  const Loop turned = turned_as(loop, like, places.back());
+  Loop best;
+  double least = INFINITY;
+  for (const std::vector<std::size_t>& place : places) {
+    const Vector2d shift = mean(like, place) - mean(turned, place);
+    Loop laid;
+    double cost = 0;
+    for (const Vector2d& p : turned) {
+      laid.push_back(p + shift);
+      cost += std::min(off, distance_to(like, laid.back()));
+    }
+    if (cost >= least - 1e-9) continue;
+    least = cost;
+    best = std::move(laid);
+  }
+  return best;
 }
 
 struct Box {
@@ -119,17 +161,10 @@ std::vector<PanelOutlines> panel_outlines(const GarmentMesh& garment, const Rest
     if (flattened[p].cols() != panel.rest.cols() || adjusted[p].cols() != panel.rest.cols())
       throw std::invalid_argument("panel_outlines: rest shape of another panel than '" + panel.name + "'");
     PanelOutlines all{panel.name.substr(0, panel.name.find(':')), boundary_of(panel, panel.rest), {}, {}};
-    double lowest = INFINITY, highest = -INFINITY;
-    for (const Vector2d& point : all.original) {
-      lowest = std::min(lowest, point.dot(panel.warp));
-      highest = std::max(highest, point.dot(panel.warp));
-    }
-    std::vector<std::size_t> upper;
-    for (std::size_t i = 0; i < all.original.size(); ++i)
-      if (all.original[i].dot(panel.warp) >= highest - 0.03 * (highest - lowest)) upper.push_back(i);
-    if (upper.empty()) continue;
-    all.flattened = laid_over(boundary_of(panel, flattened[p]), all.original, upper);
-    all.adjusted = laid_over(boundary_of(panel, adjusted[p]), all.original, upper);
+    if (all.original.empty()) continue;
+    const auto places = places_to_hang(all.original, panel.warp);
+    all.flattened = laid_over(boundary_of(panel, flattened[p]), all.original, places);
+    all.adjusted = laid_over(boundary_of(panel, adjusted[p]), all.original, places);
     outlines.push_back(std::move(all));
   }
   return outlines;

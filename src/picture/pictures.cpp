@@ -103,9 +103,9 @@ std::vector<Colour> distance_colours(const Eigen::VectorXd& distance, double top
   return colours;
 }
 
-std::string tick_words(double value, double top) {
+std::string tick_words(double value, double step) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.*f", top < 2 ? 2 : top < 10 ? 1 : 0, value);
+  std::snprintf(text, sizeof text, "%.*f", step < 0.0999 ? 2 : step < 0.999 ? 1 : 0, value);
   return text;
 }
 
@@ -117,10 +117,11 @@ Image scale_strip(const ColourScale& scale, int width) {
   for (int i = 0; i < steps; ++i)
     canvas.fill({{left + i, 30}, {left + i + 1, 30}, {left + i + 1, 48}, {left + i, 48}}, colour_map((i + 0.5) / steps));
   canvas.line({{left, 30}, {right, 30}, {right, 48}, {left, 48}}, grey, 1, true);
-  for (const double value : ticks(scale.top)) {
+  const std::vector<double> values = ticks(scale.top);
+  for (const double value : values) {
     const double x = left + (right - left) * value / scale.top;
     canvas.line({{x, 48}, {x, 54}}, grey, 1);
-    canvas.words(tick_words(value, scale.top), {x, 70}, 14, {.1, .1, .1}, Align::centre);
+    canvas.words(tick_words(value, values[1]), {x, 70}, 14, {.1, .1, .1}, Align::centre);
   }
   canvas.words("or more", {right + 22, 70}, 14, grey);
   return canvas.image();

@@ -43,8 +43,8 @@ struct PanelOutlines {
   std::vector<Eigen::Vector2d> original, flattened, adjusted;
 };
 
-// One entry per piece (its first copy), laid over each other by turning the boundary vertices as well as they go and hanging
-// all three from the upper end, by the grain, of the original.
+// One entry per piece (its first copy), laid over each other by turning the boundary vertices as well as they go and matching
+// one end of the original, or all of it: whichever leaves the most on the original.
 std::vector<PanelOutlines> panel_outlines(const GarmentMesh& garment, const RestShape& flattened, const RestShape& adjusted);
 
 // Original green, plain flattening red, adjusted blue, as the paper's Fig. 2f, all panels at one scale with a bar of 10 cm; at

@@ -109,6 +109,9 @@ TEST(LayOut, DrawsAPieceOnceAndSaysHowOftenToCutIt) {
   EXPECT_EQ(labels[2], "Cut 8");
   EXPECT_NE(std::find(labels.begin(), labels.end(), "Fabric: jersey"), labels.end());
   EXPECT_EQ(sheet.placed[0].cut.size, "38");
+  EXPECT_EQ(sheet.title, "G8, size 38");
+  pattern.style = "G8, size 38";
+  EXPECT_EQ(lay_out(pattern).title, "G8, size 38");
 }
 
 TEST(LayOut, GivesAGrainLineWhereThereIsNone) {

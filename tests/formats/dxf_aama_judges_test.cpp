@@ -3,6 +3,7 @@
 #include <dxflib/dl_creationadapter.h>
 #include <dxflib/dl_dxf.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -20,7 +21,8 @@ class DxfJudges : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    file_ = std::filesystem::temp_directory_path() / (std::string("toile-judge-") + test->name() + ".dxf");
+    file_ = std::filesystem::temp_directory_path() /
+            (std::string("toile-judge-") + test->name() + "-" + std::to_string(getpid()) + ".dxf");
     sheet_ = sheet_of({gore(), band(), disc()});
     write_dxf_aama(file_, sheet_);
   }

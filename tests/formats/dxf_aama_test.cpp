@@ -3,6 +3,7 @@
 #include "formats/dxf_aama/dxf_aama.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -177,7 +178,7 @@ TEST(AsciiNames, LoseAccentsButStayReadable) {
 }
 
 TEST(ReadPattern, TellsFormatsByExtensionThenByContent) {
-  const auto folder = std::filesystem::temp_directory_path() / "toile-formats-test";
+  const auto folder = std::filesystem::temp_directory_path() / ("toile-formats-test-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const auto save = [&](const char* name, const std::string& bytes) {
     std::ofstream(folder / name, std::ios::binary) << bytes;

@@ -117,7 +117,7 @@ GarmentMesh flat_panel() {
   return garment;
 }
 
-TEST(PanelOutlines, HangFromTheUpperEndAndTurnBack) {
+TEST(PanelOutlines, TurnBackAndLieOnTheEndThatStayed) {
   const GarmentMesh garment = flat_panel();
   RestShape shorter = rest_shape(garment);
   for (Eigen::Matrix2Xd& rest : shorter) rest(1, 0) = rest(1, 1) = .1;
@@ -133,6 +133,26 @@ TEST(PanelOutlines, HangFromTheUpperEndAndTurnBack) {
     EXPECT_NEAR((outlines[0].adjusted[i] - shorter[0].col(static_cast<Eigen::Index>(i))).norm(), 0, 1e-9);
   }
   EXPECT_THROW(panel_outlines(garment, {}, shorter), std::invalid_argument);
+}
+
+TEST(PanelOutlines, ABentBandLiesAcrossTheStraightOne) {
+  GarmentMesh garment;
+  PanelMesh band;
+  band.name = "band";
+  const int n = 20;
+  band.rest.resize(2, 2 * (n + 1));
+  RestShape bent{Eigen::Matrix2Xd(2, 2 * (n + 1))};
+  for (int i = 0; i <= n; ++i) {
+    const double x = .7 * i / n, sag = .1 * (x - .35) * (x - .35);
+    band.rest.col(i) << x, 0;
+    band.rest.col(2 * n + 1 - i) << x, .04;
+    bent[0].col(i) << x, sag;
+    bent[0].col(2 * n + 1 - i) << x, .04 + sag;
+  }
+  for (int i = 0; i < 2 * (n + 1); ++i) band.boundary.push_back({i, 0, 0});
+  garment.panels = {band};
+  const PanelOutlines outlines = panel_outlines(garment, bent, bent).at(0);
+  for (const Eigen::Vector2d& p : outlines.flattened) EXPECT_LT(std::abs(p.y() - (p.y() > .02 ? .04 : 0)), .013);
 }
 
 TEST(PanelsOverlay, DrawsEachStageInItsColour) {
