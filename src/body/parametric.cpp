@@ -83,8 +83,8 @@ void check_reached(const SizeChartRow& row, const Figure& figure, const std::map
 }  // namespace
 
 Mannequin build_mannequin(const SizeChartRow& row, const MannequinOptions& options) {
-  if (!(options.edge_length > 2e-3 && options.edge_length < .06))
-    throw std::invalid_argument("edge length of a mannequin must be between 2 and 60 mm");
+  if (!(options.edge_length >= 4e-3 && options.edge_length <= 18e-3))
+    throw std::invalid_argument("edge length of a mannequin must be between 4 and 18 mm");
   const Figure figure = complete_figure(row);
   const Figure reference = complete_figure({});
   Net net = lay_out_net(BodyForm(reference, {}), reference, options.edge_length);

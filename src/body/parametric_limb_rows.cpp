@@ -21,7 +21,7 @@ void lay_foot(RowNet& net, const BodyForm& form, const Figure& figure, Row below
   const Eigen::Vector3d ankle_centre = form.leg().centre(ankle);
   const double reach = .045 * tall;
   const Eigen::Vector3d pivot = ankle_centre + reach * forward;
-  const int swings = net.steps(.106 * tall, 5);
+  const int swings = net.steps(.15 * tall, 5);
   const double deep = pivot.y() - .022 * tall;
   for (int i = 1; i <= swings; ++i) {
     const double share = static_cast<double>(i) / swings;

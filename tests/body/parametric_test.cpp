@@ -104,7 +104,7 @@ TEST(ParametricMannequin, FitsBodiesThatAreInNoChart) {
                                           row_of(true, 1.90, .86, .68, .95),     row_of(true, 1.75, 1.34, 1.20, 1.42),
                                           row_of(false, 1.62, 1.20, 1.22, 1.18), row_of(false, 1.98, .98, .86, 1.03)};
   for (std::size_t i = 0; i < rows.size(); i += (every + 1) / 2) {
-    const Mannequin body = build_mannequin(rows[i], {.edge_length = 20e-3});
+    const Mannequin body = build_mannequin(rows[i], {.edge_length = 18e-3});
     expect_sound(body);
     expect_girths(body, rows[i]);
   }
@@ -114,10 +114,10 @@ TEST(ParametricMannequin, TakesTheOtherMeasuresOfTheRow) {
   SizeChartRow row = row_of(true, 1.68, .88, .70, .94);
   row.others = {{"upper_arm", .31}, {"thigh", .60},    {"neck", .36}, {"wrist", .155},
                 {"underbust", .76}, {"high_hip", .83}, {"calf", .37}};
-  const Mannequin body = build_mannequin(row, {.edge_length = 20e-3});
+  const Mannequin body = build_mannequin(row, {.edge_length = 18e-3});
   expect_girths(body, row);
   row.others = {{"inside_leg", .80}};
-  const Mannequin leggy = build_mannequin(row, {.edge_length = 20e-3});
+  const Mannequin leggy = build_mannequin(row, {.edge_length = 18e-3});
   EXPECT_NEAR(leggy.landmarks.at("crotch"), .80, 1e-9);
   expect_girths(leggy, row);
   // The surface between the legs is where the landmark says.
@@ -127,11 +127,11 @@ TEST(ParametricMannequin, TakesTheOtherMeasuresOfTheRow) {
 
 TEST(ParametricMannequin, IsTheSameEveryTime) {
   const SizeChartRow row = row_of(true, 1.71, .95, .76, 1.01);
-  EXPECT_EQ(build_mannequin(row, {.edge_length = 24e-3}), build_mannequin(row, {.edge_length = 24e-3}));
+  EXPECT_EQ(build_mannequin(row, {.edge_length = 18e-3}), build_mannequin(row, {.edge_length = 20e-3}));
 }
 
 TEST(ParametricMannequin, IsSymmetric) {
-  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 24e-3});
+  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 18e-3});
   std::set<std::array<double, 3>> points;
   for (Eigen::Index i = 0; i < body.positions.cols(); ++i)
     points.insert({body.positions(0, i), body.positions(1, i), body.positions(2, i)});
@@ -139,8 +139,8 @@ TEST(ParametricMannequin, IsSymmetric) {
 }
 
 TEST(ParametricMannequin, HasTheSameTrianglesInEverySize) {
-  const Mannequin small = build_mannequin(row_of(true, 1.60, .80, .62, .86), {.edge_length = 24e-3});
-  const Mannequin large = build_mannequin(row_of(false, 1.84, 1.12, 1.04, 1.16), {.edge_length = 24e-3});
+  const Mannequin small = build_mannequin(row_of(true, 1.60, .80, .62, .86), {.edge_length = 18e-3});
+  const Mannequin large = build_mannequin(row_of(false, 1.84, 1.12, 1.04, 1.16), {.edge_length = 18e-3});
   EXPECT_EQ(small.triangles, large.triangles);
   // And a triangle lies at the same part of the body: knees at knees, hands at hands.
   for (Eigen::Index i = 0; i < small.positions.cols(); ++i)
@@ -167,7 +167,7 @@ TEST(ParametricMannequin, TrianglesKeepTheirSizeAndShape) {
 
 TEST(ParametricMannequin, SkeletonHangsTogetherInsideTheBody) {
   for (const bool female : {true, false}) {
-    const Mannequin body = build_mannequin(row_of(female, 1.75, 1.0, .84, 1.04), {.edge_length = 20e-3});
+    const Mannequin body = build_mannequin(row_of(female, 1.75, 1.0, .84, 1.04), {.edge_length = 18e-3});
     for (const char* name : {"pelvis",     "spine_low", "spine_mid", "chest",   "neck",   "head",   "clavicle.L",
                              "upperarm.L", "forearm.L", "hand.L",    "thigh.L", "shin.L", "foot.L", "clavicle.R",
                              "upperarm.R", "forearm.R", "hand.R",    "thigh.R", "shin.R", "foot.R"})
@@ -191,7 +191,7 @@ TEST(ParametricMannequin, SkeletonHangsTogetherInsideTheBody) {
 }
 
 TEST(ParametricMannequin, LandmarksClimbAsOnABody) {
-  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 24e-3});
+  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 18e-3});
   double below = -1;
   for (const char* name : {"floor", "ankle", "calf", "knee", "crotch", "hip", "seat", "high_hip", "waist", "underbust", "bust",
                            "armpit", "shoulder", "nape", "height"}) {
@@ -202,7 +202,7 @@ TEST(ParametricMannequin, LandmarksClimbAsOnABody) {
 }
 
 TEST(ParametricMannequin, ArmsHang45DegreesDown) {
-  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 24e-3});
+  const Mannequin body = build_mannequin(row_of(true, 1.68, .88, .70, .94), {.edge_length = 18e-3});
   const Bone& arm = *find_bone(body, "upperarm.L");
   EXPECT_GT(arm.to.x(), arm.from.x()) << "the wearer's left is +X";
   EXPECT_NEAR(std::atan2(arm.from.y() - arm.to.y(), arm.to.x() - arm.from.x()), .785398, .02);
@@ -211,7 +211,7 @@ TEST(ParametricMannequin, ArmsHang45DegreesDown) {
 
 std::string refusal(const SizeChartRow& row) {
   try {
-    build_mannequin(row, {.edge_length = 24e-3});
+    build_mannequin(row, {.edge_length = 18e-3});
   } catch (const BadInput& bad) {
     return bad.finding().code + ": " + bad.finding().text;
   }
