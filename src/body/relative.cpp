@@ -168,6 +168,8 @@ RelativePlace relative_place(const Body& body, const Vec& at) { return judge(bod
 
 std::vector<RelativePlace> relative_places(const Body& body, const Eigen::Matrix3Xd& positions,
                                            const Eigen::Matrix3Xi& triangles) {
+  if (triangles.size() > 0 && (triangles.minCoeff() < 0 || triangles.maxCoeff() >= positions.cols()))
+    throw std::invalid_argument("relative_places: a triangle names a vertex that is not there");
   const std::vector<LimbAxis> axes = limb_axes(body.form);
   Eigen::MatrixXd cost(static_cast<Eigen::Index>(axes.size()), positions.cols());
   std::vector<RelativePlace> places;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "body/figure.h"
 #include "body/tubes.h"
@@ -213,6 +214,7 @@ TEST(RelativePlaces, NeedNoTriangles) {
   const auto places = relative_places(body(), points, Eigen::Matrix3Xi(3, 0));
   EXPECT_EQ(name_of(places[0].limb), "trunk");
   EXPECT_EQ(name_of(places[1].limb), "leg.L");
+  EXPECT_THROW(relative_places(body(), points, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))), std::invalid_argument);
 }
 
 }  // namespace
