@@ -11,8 +11,6 @@
 namespace toile {
 namespace {
 
-constexpr double cm = 1 / cm_per_m;
-
 Section with_girth(Section section, double girth) { return scaled(section, girth / section_girth(section)); }
 
 Section trunk_section(bool female, double height, double girth, const TrunkSample BodySample::*level) {
