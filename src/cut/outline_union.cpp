@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_set_2.h>
 
+#include <array>
 #include <stdexcept>
 
 namespace toile {
@@ -29,11 +30,11 @@ OutlineUnion unite(const Polygon& first, const std::vector<Polygon>& fans) {
   for (const Eigen::Vector2d& point : first) parts.front().push_back(exact(point));
   for (const Polygon& fan : fans)
     for (std::size_t i = 2; i < fan.size(); ++i) {
-      ExactPolygon triangle;
-      for (const std::size_t k : {std::size_t{0}, i - 1, i}) triangle.push_back(exact(fan[k]));
-      if (triangle.is_collinear_oriented()) continue;
-      if (triangle.is_clockwise_oriented()) triangle.reverse_orientation();
-      parts.push_back(std::move(triangle));
+      const Kernel::Point_2 a = exact(fan[0]), b = exact(fan[i - 1]), c = exact(fan[i]);
+      const CGAL::Orientation turn = CGAL::orientation(a, b, c);
+      if (turn == CGAL::COLLINEAR) continue;
+      const std::array<Kernel::Point_2, 3> corners = {a, turn == CGAL::LEFT_TURN ? b : c, turn == CGAL::LEFT_TURN ? c : b};
+      parts.emplace_back(corners.begin(), corners.end());
     }
   CGAL::Polygon_set_2<Kernel> all;
   all.join(parts.begin(), parts.end());

@@ -83,6 +83,7 @@ Image views(const Showing& showing, const Eigen::Matrix3Xd& positions, const std
                       .lines = seam_lines(showing.garment, positions),
                       .background = {1, 1, 1}};
   View view;
+  view.samples = showing.samples;
   view.frame = prism(showing.frame.cols() > 0 ? showing.frame : positions);
   const Vector3d size = view.frame.rowwise().maxCoeff() - view.frame.rowwise().minCoeff();
   view.width = row.width;

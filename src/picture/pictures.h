@@ -18,6 +18,7 @@ struct Showing {
   const Mannequin& body;
   const GarmentMesh& garment;
   Eigen::Matrix3Xd frame;  // points that must be in the picture, such as the source drape; none: the drape that is shown
+  int samples = 3;         // per pixel side, for smooth edges
 };
 
 // The drape in front, side and back view with its seam lines.

@@ -4,6 +4,10 @@
 
 #include "picture/canvas.h"
 
+// fontconfig keeps what it has read until the program ends; the leak checker of the sanitizer build must not count that.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+
 namespace toile {
 namespace {
 

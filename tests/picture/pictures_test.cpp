@@ -54,7 +54,7 @@ bool near(const Colour& a, const Colour& b, double by) {
 
 TEST(Pictures, ShowTheDrapeFromThreeSides) {
   const Worn w = worn();
-  const Image image = drape_picture({w.body, w.garment, {}}, w.drape, "a tube");
+  const Image image = drape_picture({w.body, w.garment, {}, 1}, w.drape, "a tube");
   EXPECT_EQ(image.width, 1200);
   for (const int x : {200, 600, 1000}) {
     const Colour cloth = pixel(image, x, image.height / 2);
@@ -66,7 +66,7 @@ TEST(Pictures, DistancesAreColouredAndExplained) {
   const Worn w = worn();
   Eigen::VectorXd none = Eigen::VectorXd::Zero(w.drape.cols()), far = none;
   far.setConstant(.02);
-  const Showing showing{w.body, w.garment, {}};
+  const Showing showing{w.body, w.garment, {}, 1};
   const Image pale = distance_picture(showing, {w.drape, none, "nothing"}, .01);
   const Image deep = distance_picture(showing, {w.drape, far, "far"}, .01);
   EXPECT_TRUE(near(pixel(pale, 200, 250), colour_map(0), .2));
@@ -81,7 +81,7 @@ TEST(Pictures, ComparesTwoDrapesOnOneScale) {
   const Worn w = worn();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(w.drape.cols());
   const Eigen::VectorXd far = Eigen::VectorXd::Constant(w.drape.cols(), .01);
-  const Image image = compared_picture({w.body, w.garment, {}}, {w.drape, far, "left"}, {w.drape, none, "right"}, .01);
+  const Image image = compared_picture({w.body, w.garment, {}, 1}, {w.drape, far, "left"}, {w.drape, none, "right"}, .01);
   EXPECT_EQ(image.width, 1200);
   for (const int x : {150, 450}) EXPECT_TRUE(near(pixel(image, x, 200), colour_map(1), .2));
   for (const int x : {750, 1050}) EXPECT_TRUE(near(pixel(image, x, 200), colour_map(0), .2));
@@ -98,7 +98,7 @@ TEST(Pictures, ScaleCoversNearlyAll) {
 
 TEST(Pictures, RefuseWrongNumbers) {
   const Worn w = worn();
-  const Showing showing{w.body, w.garment, {}};
+  const Showing showing{w.body, w.garment, {}, 1};
   const Eigen::VectorXd few = Eigen::VectorXd::Zero(3), right = Eigen::VectorXd::Zero(w.drape.cols());
   EXPECT_THROW(distance_picture(showing, {w.drape, few, ""}, .01), std::invalid_argument);
   EXPECT_THROW(distance_picture(showing, {w.drape, right, ""}, 0), std::invalid_argument);
