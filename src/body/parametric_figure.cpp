@@ -90,6 +90,12 @@ std::map<std::string, double> usual_girths(const SizeChartRow& row) {
   return girths;
 }
 
+// Steeper below size 38, where half of what the hips lose would leave thighs too wide for them.
+double usual_thigh_of(const SizeChartRow& row) {
+  if (!row.female) return .5 * row.hip + .081;
+  return .56 + (row.hip < .94 ? .75 : .5) * (row.hip - .94);
+}
+
 void complete_girths(const SizeChartRow& row, Figure& figure) {
   figure.girths = usual_girths(row);
   const auto given = [&](const char* name, double otherwise) {
@@ -102,7 +108,7 @@ void complete_girths(const SizeChartRow& row, Figure& figure) {
   auto& girths = figure.girths;
   const double usual_thigh = girths["thigh"], usual_arm = girths["upper_arm"];
   const double arm_factor = given("upper_arm", usual_arm) / usual_arm;
-  const double thigh_factor = given("thigh", .5 * row.hip + (row.female ? .09 : .081)) / usual_thigh;
+  const double thigh_factor = given("thigh", usual_thigh_of(row)) / usual_thigh;
   for (std::size_t i = 0; i < arm_names.size(); ++i) girths[arm_names[i]] *= std::pow(arm_factor, arm_share[i]);
   for (std::size_t i = 0; i < leg_names.size(); ++i) girths[leg_names[i]] *= std::pow(thigh_factor, leg_share[i]);
   for (const auto& [name, value] : row.others) {

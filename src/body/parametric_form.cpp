@@ -9,7 +9,8 @@ namespace {
 
 constexpr double cm = .01;
 constexpr double leg_blend = .025, arm_blend = .025, head_blend = .02, foot_blend = .02, floor_blend = .006, breast_blend = .05;
-constexpr double gap_between_thighs = .0098;  // half of it; wider than leg_blend / 4, so that thighs never grow together
+constexpr double thigh_blend = .015;
+constexpr double gap_between_thighs = .0065;  // half of it; wider than thigh_blend / 4, so that thighs never grow together
 
 double scale_of(const FormScales& scales, const std::string& name) {
   const auto found = scales.sections.find(name);
@@ -243,7 +244,7 @@ FormSample BodyForm::sample(const Eigen::Vector3d& at) const {
   for (const Ellipsoid& breast : breasts_) body = united(body, pair(breast, .02), breast_blend);
   if (at.y() > head_.begin() - .06) body = united(body, head_.sample(left), head_blend);
   if (at.y() < leg_.end() + .05) {
-    FormSample leg = pair(leg_, leg_blend);
+    FormSample leg = pair(leg_, thigh_blend);
     if (at.y() < .25) leg = intersected(united(leg, foot_.sample(left), foot_blend), {-at.y(), {0, -1, 0}}, floor_blend);
     body = united(body, leg, leg_blend);
   }
