@@ -64,7 +64,7 @@ TEST(SurfaceDistance, OfParallelPlanesIsTheirOffset) {
 }
 
 TEST(SurfaceDistance, OfASurfaceToItselfIsZero) {
-  const Mesh ball = sphere(20, .2);
+  const Mesh ball = sphere(20, .08);
   const SurfaceDistance d = surface_distance(ball.surface(), ball.surface());
   EXPECT_LT(d.hausdorff, 1e-15);
   EXPECT_LT(d.mean, 1e-16);
@@ -72,8 +72,8 @@ TEST(SurfaceDistance, OfASurfaceToItselfIsZero) {
 
 // Vertices of the outer sphere are nearest to the inner facets; both maxima lie within the facets' height.
 TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii) {
-  const double facet = .2 * (1 - std::cos(std::numbers::pi / 64)) * 2;
-  const SurfaceDistance d = surface_distance(sphere(64, .2).surface(), sphere(64, .21).surface());
+  const double facet = .2 * (1 - std::cos(std::numbers::pi / 32)) * 2;
+  const SurfaceDistance d = surface_distance(sphere(32, .2).surface(), sphere(32, .21).surface(), 2e-2);
   EXPECT_NEAR(d.hausdorff, .01, facet);
   EXPECT_NEAR(d.mean, .01, facet);
 }
@@ -117,9 +117,9 @@ TEST(SurfaceDistance, LiesWithinTheBoundsOfCgal) {
     }
     return result;
   };
-  const Mesh a = sheet(18, .5, .4, [](double x, double y) { return .03 * std::sin(20 * x) * std::cos(14 * y); });
-  const Mesh b = sheet(23, .5, .4, [](double x, double y) { return .03 * std::sin(20 * x + .3) * std::cos(15 * y) + .004; });
-  const double bound = 5e-4, spacing = 2e-3;
+  const Mesh a = sheet(12, .3, .2, [](double x, double y) { return .03 * std::sin(20 * x) * std::cos(14 * y); });
+  const Mesh b = sheet(15, .3, .2, [](double x, double y) { return .03 * std::sin(20 * x + .3) * std::cos(15 * y) + .004; });
+  const double bound = 5e-4, spacing = 3e-3;
   const SurfaceDistance d = surface_distance(a.surface(), b.surface(), spacing);
   const auto mesh_a = cgal(a), mesh_b = cgal(b);
   namespace pmp = CGAL::Polygon_mesh_processing;
@@ -147,8 +147,8 @@ TEST(SurfaceDistance, MovesRigidlyWithBothSurfaces) {
 }
 
 TEST(SurfaceDistance, GivesTheSameBytesTwice) {
-  const Mesh a = sheet(40, .4, .4, [](double x, double y) { return .02 * std::sin(15 * x + 3 * y); });
-  const Mesh b = sheet(37, .4, .4, [](double x, double y) { return .02 * std::cos(13 * x - y); });
+  const Mesh a = sheet(24, .2, .2, [](double x, double y) { return .02 * std::sin(15 * x + 3 * y); });
+  const Mesh b = sheet(21, .2, .2, [](double x, double y) { return .02 * std::cos(13 * x - y); });
   const SurfaceDistance first = surface_distance(a.surface(), b.surface());
   const SurfaceDistance second = surface_distance(a.surface(), b.surface());
   EXPECT_EQ(first.hausdorff, second.hausdorff);
