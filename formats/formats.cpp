@@ -41,6 +41,13 @@ const PatternFormat* format_of(const std::filesystem::path& file, std::string_vi
 
 }  // namespace
 
+std::optional<std::filesystem::path> seams_beside(const std::filesystem::path& pattern) {
+  std::filesystem::path sidecar = std::filesystem::path(pattern).replace_extension(".seams.toml");
+  std::error_code ignored;
+  if (!std::filesystem::exists(sidecar, ignored)) return std::nullopt;
+  return sidecar;
+}
+
 Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
   const Loaded<std::string> bytes = read_whole_file(file);
   if (!bytes.value) return {std::nullopt, bytes.report};
@@ -55,11 +62,9 @@ Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternRea
   }
   Loaded<Pattern> loaded = format->read(file, options);
 
-  std::filesystem::path sidecar = std::filesystem::path(file).replace_extension(".seams.toml");
-  std::error_code ignored;
-  const bool found = options.seams || std::filesystem::exists(sidecar, ignored);
-  if (!loaded.value || !found) return loaded;
-  loaded.report.append(apply_seams(*loaded.value, options.seams.value_or(sidecar)));
+  const auto sidecar = options.seams ? options.seams : seams_beside(file);
+  if (!loaded.value || !sidecar) return loaded;
+  loaded.report.append(apply_seams(*loaded.value, *sidecar));
   if (!loaded.report.ok()) loaded.value.reset();
   return loaded;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Files in, files out. Readers never throw for bad input: they return findings. Writers write to a temporary file and rename it;
-// they throw BadInput("file.cannot-create") and leave nothing behind.
+// Files in, files out. Readers never throw for bad input: they return findings. Writers write to a temporary file and rename
+// it; they throw BadInput("file.cannot-create") and leave nothing behind.
 
 #include <filesystem>
 #include <optional>
@@ -16,15 +16,21 @@
 namespace toile {
 
 struct PatternReadOptions {
-  std::optional<double> unit_in_metres;              // overrides what the file says: 1e-3 for mm
-  std::optional<std::filesystem::path> seams;        // default: NAME.seams.toml beside the pattern, when it exists
+  std::optional<double> unit_in_metres;        // overrides what the file says: 1e-3 for mm
+  std::optional<std::filesystem::path> seams;  // default: NAME.seams.toml beside the pattern, when it exists
 };
 
 // By extension and content: DXF (AAMA), GarmentCode JSON.
 Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options = {});
 
+// NAME.seams.toml beside the pattern NAME.dxf, when there is one.
+std::optional<std::filesystem::path> seams_beside(const std::filesystem::path& pattern);
+
 // A body: OBJ in metres, with NAME.skeleton.json (or `skeleton`) when there is one.
 Loaded<Mannequin> read_body(const std::filesystem::path& file, const std::optional<std::filesystem::path>& skeleton = {});
+
+// NAME.skeleton.json beside NAME.obj or NAME_wrap.obj, when there is one.
+std::optional<std::filesystem::path> skeleton_beside(const std::filesystem::path& body);
 
 // templates/fabrics/*.toml
 Loaded<Fabric> read_fabric(const std::filesystem::path& file);

@@ -6,9 +6,7 @@
 #include "formats/obj/skeleton.h"
 
 namespace toile {
-namespace {
 
-// NAME.skeleton.json beside NAME.obj or NAME_wrap.obj, when there is one.
 std::optional<std::filesystem::path> skeleton_beside(const std::filesystem::path& file) {
   const auto candidate = [&](const std::string& name) { return file.parent_path() / (name + ".skeleton.json"); };
   const std::string stem = file.stem().string(), wrap = "_wrap";
@@ -19,8 +17,6 @@ std::optional<std::filesystem::path> skeleton_beside(const std::filesystem::path
       return found;
   return std::nullopt;
 }
-
-}  // namespace
 
 Loaded<Mannequin> read_body(const std::filesystem::path& file, const std::optional<std::filesystem::path>& skeleton) {
   Loaded<Mannequin> loaded;

@@ -18,14 +18,15 @@ std::string plain(const char* form, double value) {
 
 std::vector<ReportFact> inputs(const Job& job) {
   const Recipe& recipe = job.recipe;
-  std::vector<ReportFact> facts{
-      {"pattern", recipe.pattern.file.filename().string()},
-      {"body", job.scene.body.form.name + ", " + plain("%.1f cm tall", job.scene.body.form.height * cm_per_m)},
-      {"fabric", job.scene.fabric.name},
+  std::vector<ReportFact> facts;
+  for (const InputHash& input : job.inputs) facts.push_back({input.role, in_short(input)});
+  const std::vector<ReportFact> settings{
+      {"mannequin", job.scene.body.form.name + ", " + plain("%.1f cm tall", job.scene.body.form.height * cm_per_m)},
       {"simulator", job.scene.simulator.name},
       {"edge length", in_mm(recipe.drape.edge_length)},
       {"tolerance", plain("%.0e", recipe.drape.tolerance)},
       {"program", std::string("toile ") + TOILE_VERSION}};
+  facts.insert(facts.end(), settings.begin(), settings.end());
   for (const Edit& edit : recipe.edits) {
     std::string words;
     for (const auto& [name, value] : edit.arguments) words += (words.empty() ? "" : ", ") + name + " " + value;
@@ -89,6 +90,12 @@ std::string verdict(const Job& job) {
   return words;
 }
 
+std::string made_from(const Job& job) {
+  std::string words = std::string("Made by toile ") + TOILE_VERSION + " from ";
+  for (const InputHash& input : job.inputs) words += (&input == job.inputs.data() ? "" : ", ") + in_short(input);
+  return words;
+}
+
 RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   const AdjustStep& proved = job.verified.step;
   RunSummary summary;
@@ -114,6 +121,7 @@ RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   summary.adjusted.seconds = job.adjustment.seconds;
   summary.outlines = {job.redrawn.max_deviation, job.redrawn.symmetry};
   summary.findings = job.findings;
+  summary.inputs = by_name(job.inputs);
   summary.files = files;
   summary.seconds = job.seconds;
   return summary;

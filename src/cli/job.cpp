@@ -7,7 +7,6 @@
 
 #include "body/parametric.h"
 #include "cli/exit_codes.h"
-#include "cli/templates.h"
 #include "cut/cut.h"
 #include "edit/arguments.h"
 #include "formats/formats.h"
@@ -47,10 +46,9 @@ DrapeSteps drape_bar(Progress& progress) {
   };
 }
 
-Mannequin body_of(const Recipe& recipe, Job& job) {
-  if (!recipe.body.file.empty()) return take(read_body(recipe.body.file, recipe.body.skeleton), job);
-  const auto chart = template_file("mannequins", recipe.body.chart + ".csv");
-  return build_mannequin(take(read_size_chart_row(chart, recipe.body.size), job));
+Mannequin body_of(const InputFiles& files, Job& job) {
+  if (!files.is_chart) return take(read_body(files.body, files.skeleton), job);
+  return build_mannequin(take(read_size_chart_row(files.body, job.recipe.body.size), job));
 }
 
 // What is wrong with a body from a file is said about the file.
@@ -142,15 +140,16 @@ void load(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("read");
   check_written(recipe.edits);
-  job.pattern = take(read_pattern(recipe.pattern.file, {recipe.pattern.unit_in_metres, recipe.pattern.seams}), job);
+  const InputFiles files = input_files(job.recipe_file, recipe);
+  job.pattern = take(read_pattern(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
                     "Write a seams file beside it: " + recipe.pattern.file.stem().string() + ".seams.toml"});
-  const auto fabric = recipe.fabric.file.empty() ? template_file("fabrics", recipe.fabric.name + ".toml") : recipe.fabric.file;
-  job.scene.fabric = take(read_fabric(fabric), job);
+  job.scene.fabric = take(read_fabric(files.fabric), job);
   job.scene.simulator = find_simulator(recipe.drape.simulator);
   job.scene.hem = recipe.cut.allowances.hem;
-  job.scene.body = ready(body_of(recipe, job), recipe.body.file);
+  job.scene.body = ready(body_of(files, job), recipe.body.file);
+  job.inputs = hashes(files);
   progress.end(std::to_string(job.pattern.pieces.size()) + " pieces, " + std::to_string(job.pattern.seams.size()) +
                " seams; body " + job.scene.body.form.name + "; " + job.scene.fabric.name);
 }

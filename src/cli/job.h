@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/inputs.h"
 #include "cli/progress.h"
 #include "garment/cut_sheet.h"
 #include "workbench/workbench.h"
@@ -12,7 +13,9 @@
 namespace toile {
 
 struct Job {
+  std::filesystem::path recipe_file;
   Recipe recipe;
+  std::vector<InputHash> inputs;
   Pattern pattern;  // as read
   Scene scene;
   Worn worn;

@@ -34,6 +34,7 @@ void write_patterns(const Job& job, const OutputFolder& out, const std::string& 
 void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
   CutSheet sheet = job.sheet;
   sheet.notes.push_back(verdict(job));
+  sheet.notes.push_back(made_from(job));
   write_svg(out.path(stem + ".svg"), sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
   const GarmentMesh& garment = job.worn.garment;
   write_obj(out.path("source.obj"), garment, job.worn.drape.positions);
@@ -54,6 +55,7 @@ int run_recipe(const RunOptions& options) {
   const auto began = std::chrono::steady_clock::now();
   Progress progress(options.progress);
   Job job;
+  job.recipe_file = options.recipe;
   job.recipe = value_or_throw(read_recipe(options.recipe));
   OutputFolder out(options.out, options.force);
   load(job, progress);

@@ -52,6 +52,8 @@ TEST_P(GarmentCodeSkirt, HemMovedOnTheScannedBody) {
   EXPECT_LE(number("/adjusted/hausdorff_percent"), GetParam().most_hausdorff);
   EXPECT_GT(number("/flattened/hausdorff_percent"), 0);
   EXPECT_LE(number("/adjusted/hausdorff_percent"), number("/flattened/hausdorff_percent"));
+  ASSERT_EQ(summary.at("inputs").size(), 5u);  // recipe, pattern, body, skeleton, fabric
+  for (const auto& hash : summary.at("inputs")) EXPECT_EQ(hash.get<std::string>().size(), 64u);
   for (const auto& file : summary.at("files")) EXPECT_TRUE(fs::is_regular_file(out / file.get<std::string>())) << file;
   for (const char* file :
        {"skirt.dxf", "skirt.seams.toml", "skirt.svg", "source.obj", "target.obj", "redrape.obj", "summary.json"})
