@@ -40,6 +40,9 @@ Loaded<SizeChartRow> read_size_chart_row(const std::filesystem::path& file, cons
 
 // AAMA DXF (R12): blocks of cut pieces, mm.
 void write_dxf_aama(const std::filesystem::path& file, const CutSheet& sheet);
+// `pattern` under the piece names of the DXF of `sheet`: ASCII ("Ärmel" is "Aermel"), each once. So must it be given to
+// write_seams for the two files to belong together.
+Pattern as_named_in_dxf(Pattern pattern, const CutSheet& sheet);
 // Seams sidecar for a pattern written as DXF.
 void write_seams(const std::filesystem::path& file, const Pattern& pattern);
 // Cut sheet in mm.

@@ -1,14 +1,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <stdexcept>
 
 #include "formats/dxf/tag_writer.h"
 #include "formats/dxf_aama/ascii.h"
 #include "formats/dxf_aama/dxf_aama.h"
 #include "formats/dxf_aama/layers.h"
+#include "formats/dxf_aama/piece_names.h"
 #include "formats/formats.h"
 #include "garment/units.h"
 
@@ -158,16 +157,6 @@ void check(const CutPiece& cut) {
   if (cut.cut_line.size() < 3) refuse("has no cut line");
 }
 
-// `wanted`, or with "-2", "-3", ... the first that is free, no longer than `longest`.
-std::string unique_name(const std::string& wanted, std::set<std::string>& taken, std::size_t longest) {
-  std::string name = wanted;
-  for (int i = 2; !taken.insert(name).second; ++i) {
-    const std::string ending = "-" + std::to_string(i);
-    name = wanted.substr(0, longest - ending.size()) + ending;
-  }
-  return name;
-}
-
 }  // namespace
 
 std::string dxf_aama_bytes(const CutSheet& sheet) {
@@ -175,22 +164,13 @@ std::string dxf_aama_bytes(const CutSheet& sheet) {
   dxf::put_section(out, "HEADER");
   dxf::put_section_end(out);
 
-  // A piece placed twice is one piece; one piece in several sizes is a nest, whose blocks share the piece's name.
-  std::vector<const CutPiece*> pieces;
-  for (const PlacedPiece& placed : sheet.placed)
-    if (std::none_of(pieces.begin(), pieces.end(), [&](const CutPiece* other) { return *other == placed.cut; }))
-      pieces.push_back(&placed.cut);
-
-  std::vector<std::string> blocks;
-  std::set<std::string> taken_blocks;
-  std::map<std::string, std::set<std::string>> taken_names;  // by size
+  const std::vector<aama::NamedPiece> pieces = aama::named_pieces(sheet);
+  std::vector<std::string> blocks, taken;
   dxf::put_section(out, "BLOCKS");
-  for (const CutPiece* piece : pieces) {
+  for (const auto& [piece, name] : pieces) {
     check(*piece);
-    const std::string wanted = aama::ascii(piece->piece.name);
-    const std::string name = unique_name(wanted.empty() ? "piece" : wanted, taken_names[piece->size], 250);
     const std::string full = piece->size.empty() ? name : name + "_" + piece->size;
-    blocks.push_back(unique_name(aama::block_name(full), taken_blocks, 31));
+    blocks.push_back(aama::unique_name(aama::block_name(full), taken, 31));
     PieceWriter(out, *piece).write(name, blocks.back());
   }
   dxf::put_section_end(out);
@@ -204,7 +184,7 @@ std::string dxf_aama_bytes(const CutSheet& sheet) {
   style_text("Style Name", sheet.title);
   style_text("Author", "Toile");
   style_text("Product", "TOILE");
-  if (!pieces.empty() && !pieces.front()->size.empty()) style_text("Sample Size", pieces.front()->size);
+  if (!pieces.empty() && !pieces.front().piece->size.empty()) style_text("Sample Size", pieces.front().piece->size);
   style_text("Units", "METRIC");
   for (const std::string& note : sheet.notes) style_text("Annotation", note);
   for (const std::string& block : blocks) dxf::put_insert(out, number_of(Role::cut_line), block);

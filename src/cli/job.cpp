@@ -191,7 +191,7 @@ void work(Job& job, Progress& progress) {
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress) {
   progress.begin("verify");
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
-  job.reread = in_order(job.redrawn.pattern, read);
+  job.reread = in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read);
   job.verified =
       verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, drape_bar(progress));
   add(job, job.verified.report);

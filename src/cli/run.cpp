@@ -28,7 +28,7 @@ std::string file_stem(const std::filesystem::path& recipe) {
 
 void write_patterns(const Job& job, const OutputFolder& out, const std::string& stem) {
   write_dxf_aama(out.path(stem + ".dxf"), job.sheet);
-  write_seams(out.path(stem + ".seams.toml"), job.redrawn.pattern);
+  write_seams(out.path(stem + ".seams.toml"), as_named_in_dxf(job.redrawn.pattern, job.sheet));
 }
 
 void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
