@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "body/body.h"
+#include "drape/openings.h"
 #include "garment/mesh.h"
 #include "garment/pattern.h"
 #include "garment/report.h"
@@ -14,7 +16,7 @@ namespace toile {
 
 struct DressOptions {
   int shrinking_steps = 150;  // over which every stitch shortens to nothing
-  int holding_steps = 60;     // with the stitches closed
+  int holding_steps = 60;     // with the stitches closed; as many again and more while one is still closing
   int sweeps = 10;            // of the constraints per step
   double body_offset = 1e-3;  // m, kept from the body: more would add to the wearer's girth
   double closed_gap = 2e-3;   // m; a wider seam did not come together
@@ -24,10 +26,16 @@ struct DressOptions {
 struct Dressed {
   Eigen::Matrix3Xd positions;  // by garment vertex, seams welded
   double seam_gap = 0;         // m, widest seam just before it was welded
-  Report report;               // errors: "drape.seam-open" naming the panels, "drape.not-around-body"
+  Report report;               // errors: "drape.seam-open" naming the seam, "drape.not-around-body", "drape.linked-wrong",
+                               // "drape.self-intersects" naming the panels
+  int self_intersections = 0;  // pairs of triangles that pass through each other, seams welded
+  bool links_ok = true;        // every opening holds a limb that may go through it
+  std::vector<Opening> openings;
+  std::vector<std::string> open_seams;  // by name
 };
 
-// Position-based sewing (Mueller et al. 2007) without weight or friction. Deterministic.
+// Position-based sewing (Mueller et al. 2007) without weight or friction, with the body and the cloth itself in the way.
+// Deterministic.
 Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& body, const DressOptions& options = {});
 
 }  // namespace toile

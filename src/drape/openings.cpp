@@ -1,0 +1,129 @@
+#include "drape/openings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "body/relative.h"
+#include "collide/links.h"
+#include "garment/welds.h"
+#include "geometry/topology.h"
+
+namespace toile {
+namespace {
+
+constexpr double shortest_opening = 0.16;  // m round; a smaller one (a keyhole, a slit) lets no limb through
+constexpr double beyond = 3.0;             // m, how far chains go on past the body
+
+const LimbAxis* find_axis(const std::vector<LimbAxis>& axes, const std::string& name) {
+  const auto found = std::find_if(axes.begin(), axes.end(), [&](const LimbAxis& axis) { return axis.name == name; });
+  return found == axes.end() ? nullptr : &*found;
+}
+
+void go_on(std::vector<Eigen::Vector3d>& chain, const Eigen::Vector3d& way) { chain.push_back(chain.back() + beyond * way); }
+
+std::string in_quotes(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+bool holds(const Opening& opening, const std::string& limb) {
+  return std::find(opening.limbs.begin(), opening.limbs.end(), limb) != opening.limbs.end();
+}
+
+}  // namespace
+
+std::vector<LimbChain> limb_chains(const Mannequin& form) {
+  std::vector<LimbChain> chains;
+  const std::vector<LimbAxis> axes = limb_axes(form);
+  const LimbAxis* trunk = find_axis(axes, "trunk");
+  const LimbAxis* left = find_axis(axes, "leg.L");
+  const LimbAxis* right = find_axis(axes, "leg.R");
+  if (!trunk || !left || !right) return chains;
+  // The spine from the pelvis up: the trunk's axis down to the hip joints, turned round.
+  const Eigen::Vector3d pelvis = (left->points.front() + right->points.front()) / 2;
+  std::vector<Eigen::Vector3d> spine{pelvis};
+  for (auto point = trunk->points.rbegin(); point != trunk->points.rend(); ++point)
+    if (point->y() > pelvis.y() + 1e-3) spine.push_back(*point);
+  LimbChain head{"head", spine};
+  go_on(head.points, Eigen::Vector3d::UnitY());
+  chains.push_back(head);
+  for (const char* side : {".L", ".R"}) {
+    const LimbAxis* arm = find_axis(axes, std::string("arm") + side);
+    if (!arm) continue;
+    // Up the spine to the height of the shoulder, then out.
+    LimbChain hand{std::string("hand") + side, {}};
+    for (const Eigen::Vector3d& point : spine)
+      if (point.y() < arm->points.front().y() - 0.02 * form.height) hand.points.push_back(point);
+    hand.points.insert(hand.points.end(), arm->points.begin(), arm->points.end());
+    go_on(hand.points, (arm->points.back() - arm->points.front()).normalized());
+    chains.push_back(hand);
+  }
+  for (const char* side : {".L", ".R"}) {
+    const LimbAxis* leg = find_axis(axes, std::string("leg") + side);
+    LimbChain foot{std::string("foot") + side, {pelvis}};
+    foot.points.insert(foot.points.end(), leg->points.begin(), leg->points.end());
+    go_on(foot.points, -Eigen::Vector3d::UnitY());
+    chains.push_back(foot);
+  }
+  return chains;
+}
+
+std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Mannequin& form) {
+  const std::vector<LimbChain> chains = limb_chains(form);
+  const auto segments = boundary_segments(garment);
+  std::vector<Opening> all;
+  for (const auto& loop : boundary_loops(garment.triangles)) {
+    Opening opening{.loop = loop};
+    const std::set<int> on_loop(loop.begin(), loop.end());
+    std::set<int> panels;
+    for (const BoundarySegment& segment : segments) {
+      if (!segment.mates.empty()) continue;
+      const auto p = static_cast<std::size_t>(segment.panel);
+      if (!on_loop.count(garment.welded[p](segment.from)) || !on_loop.count(garment.welded[p](segment.to))) continue;
+      panels.insert(segment.panel);
+      opening.length += (garment.panels[p].rest.col(segment.from) - garment.panels[p].rest.col(segment.to)).norm();
+    }
+    for (const int p : panels) opening.pieces.push_back(garment.panels[static_cast<std::size_t>(p)].name);
+    opening.name = "opening along " + in_quotes(opening.pieces);
+    std::vector<Eigen::Vector3d> points;
+    for (const int v : loop) points.push_back(positions.col(v));
+    for (const LimbChain& chain : chains) {
+      const int through = crossings(points, chain.points);
+      if (through != 0) opening.limbs.push_back(chain.name);
+      opening.wound = opening.wound || std::abs(through) > 1;
+    }
+    all.push_back(std::move(opening));
+  }
+  return all;
+}
+
+Report check_openings(const std::vector<Opening>& openings, const GarmentMesh& garment,
+                      const std::vector<std::string>& sleeve_of) {
+  Report report;
+  const char* remedy = "Look at the picture; check where the pieces along it are placed and that the pattern is sewn as meant";
+  for (const Opening& opening : openings) {
+    const auto wrong = [&](const std::string& text) {
+      report.error("drape.linked-wrong", opening.name, text, remedy, Fault::checks_failed);
+    };
+    if (opening.wound) wrong("a limb goes through it more than once");
+    if (opening.limbs.empty()) {
+      if (opening.length >= shortest_opening) wrong("nothing goes through it: the body is beside it");
+      continue;
+    }
+    const bool foot = holds(opening, "foot.L") || holds(opening, "foot.R");
+    const bool above = holds(opening, "head") || holds(opening, "hand.L") || holds(opening, "hand.R");
+    if (foot && above) wrong(in_quotes(opening.limbs) + " go through it together");
+    for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+      const std::string& limb = sleeve_of[p];
+      const bool along =
+          std::find(opening.pieces.begin(), opening.pieces.end(), garment.panels[p].name) != opening.pieces.end();
+      if (!along || limb.empty()) continue;
+      if (!holds(opening, limb)) wrong(in_quotes(opening.limbs) + " instead of '" + limb + "' goes through it");
+      break;
+    }
+  }
+  return report;
+}
+
+}  // namespace toile

@@ -1,0 +1,37 @@
+#pragma once
+// Which limbs of the wearer go through which openings of the sewn garment, and whether that can be right.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "body/body.h"
+#include "garment/mesh.h"
+#include "garment/report.h"
+
+namespace toile {
+
+// "head", "hand.L", "hand.R", "foot.L", "foot.R", each from the pelvis outwards along the bones and beyond the body.
+struct LimbChain {
+  std::string name;
+  std::vector<Eigen::Vector3d> points;
+};
+std::vector<LimbChain> limb_chains(const Mannequin& form);
+
+struct Opening {
+  std::vector<int> loop;            // garment vertices
+  std::string name;                 // "opening along 'left_sleeve_f', 'left_sleeve_b'"
+  double length = 0;                // m, at rest
+  std::vector<std::string> limbs;   // that go through it
+  std::vector<std::string> pieces;  // panels along it
+  bool wound = false;               // some limb goes through it more than once
+};
+
+std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Mannequin& form);
+
+// Errors "drape.linked-wrong", naming the opening: nobody's limb goes through it; the head or a hand share it with a foot; it
+// is sewn to a sleeve and holds no hand of that side. `sleeve_of`: by panel, "hand.L", "hand.R" or nothing.
+Report check_openings(const std::vector<Opening>& openings, const GarmentMesh& garment,
+                      const std::vector<std::string>& sleeve_of);
+
+}  // namespace toile

@@ -1,0 +1,184 @@
+#include "drape/sewing.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "collide/truncation.h"
+#include "geometry/topology.h"
+
+namespace toile {
+namespace {
+
+constexpr double time_step = 1.0 / 120;  // s
+constexpr double speed_kept = 0.92;      // per step
+constexpr double longest_move = 5e-3;    // m per step
+constexpr double compression_share = 0.6;
+constexpr double reach = 8e-3;    // m, of the search for cloth that is near to cloth
+constexpr int most_searches = 3;  // per step
+
+void hold_length(Eigen::Matrix3Xd& x, const Tie& tie, double stretch_share, double squash_share) {
+  const Eigen::Vector3d apart = x.col(tie.b) - x.col(tie.a);
+  const double length = apart.norm();
+  if (length < 1e-12) return;
+  const double share = length > tie.length ? stretch_share : squash_share;
+  const Eigen::Vector3d move = share / 2 * (1 - tie.length / length) * apart;
+  x.col(tie.a) += move;
+  x.col(tie.b) -= move;
+}
+
+Eigen::Vector3d middle_of(const std::vector<int>& group, const Eigen::Matrix3Xd& x) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int v : group) middle += x.col(v);
+  return middle / static_cast<double>(group.size());
+}
+
+// Brings every stitched vertex to within `open` of its starting distance from the stitch's middle.
+void pull_stitches(const LoosePanels& cloth, const std::vector<double>& start, double open, Eigen::Matrix3Xd& x) {
+  for (const auto& group : cloth.stitched) {
+    const Eigen::Vector3d middle = middle_of(group, x);
+    for (const int v : group) {
+      const Eigen::Vector3d apart = x.col(v) - middle;
+      const double length = apart.norm();
+      const double allowed = open * start[static_cast<std::size_t>(v)];
+      if (length > allowed) x.col(v) -= (1 - allowed / length) * apart;
+    }
+  }
+}
+
+void push_out(const Body& body, double offset, Eigen::Matrix3Xd& x) {
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    if (body.distance.distance(x.col(v)) >= offset) continue;
+    const DistanceSample sample = body.distance.sample(x.col(v));
+    const double steepness = sample.gradient.squaredNorm();
+    if (steepness > 1e-6) x.col(v) += std::min(offset - sample.distance, 0.02) / steepness * sample.gradient;
+  }
+}
+
+// Keeps two layers `thickness` apart along the normal they had when they were found.
+void part_layers(const std::vector<NearPair>& pairs, double thickness, Eigen::Matrix3Xd& x) {
+  for (const NearPair& pair : pairs) {
+    double apart = 0;
+    double inertia = 0;
+    for (int i = 0; i < 4; ++i) {
+      const double side = i < pair.first ? pair.weight(i) : -pair.weight(i);
+      apart += side * pair.normal.dot(x.col(pair.vertex[static_cast<std::size_t>(i)]));
+      inertia += side * side;
+    }
+    if (apart >= thickness) continue;
+    for (int i = 0; i < 4; ++i) {
+      const double side = i < pair.first ? pair.weight(i) : -pair.weight(i);
+      x.col(pair.vertex[static_cast<std::size_t>(i)]) += (thickness - apart) / inertia * side * pair.normal;
+    }
+  }
+}
+
+// Moves a cloth without letting it pass through itself; looks for near pairs anew when the last ones are in the way.
+class Mover {
+ public:
+  explicit Mover(const LoosePanels& cloth)
+      : mesh_(collision_mesh(cloth.triangles, static_cast<int>(cloth.positions.cols()), cloth.garment_vertex)) {}
+
+  void move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& to) {
+    for (int search = 0; search <= most_searches; ++search) {
+      if (!near_ || search > 0) near_.emplace(x, mesh_, reach);
+      if (!near_->advance(x, to)) return;
+    }
+  }
+  const std::vector<NearPair>& pairs(const Eigen::Matrix3Xd& x) {
+    if (!near_) near_.emplace(x, mesh_, reach);
+    return near_->pairs();
+  }
+
+ private:
+  CollisionMesh mesh_;
+  std::optional<Truncation> near_;
+};
+
+double widest(const std::vector<double>& gaps) { return gaps.empty() ? 0 : *std::max_element(gaps.begin(), gaps.end()); }
+
+}  // namespace
+
+LoosePanels loose_panels(const GarmentMesh& garment, const std::vector<Eigen::Matrix3Xd>& placed) {
+  LoosePanels cloth;
+  int count = 0;
+  for (const auto& positions : placed) count += static_cast<int>(positions.cols());
+  cloth.positions.resize(3, count);
+  cloth.triangles.resize(3, garment.triangles.cols());
+  std::vector<std::vector<int>> members(static_cast<std::size_t>(garment.vertex_count));
+  int first = 0;
+  Eigen::Index triangle = 0;
+  for (std::size_t p = 0; p < placed.size(); ++p) {
+    const PanelMesh& panel = garment.panels[p];
+    const auto n = static_cast<int>(placed[p].cols());
+    cloth.first.push_back(first);
+    cloth.positions.middleCols(first, n) = placed[p];
+    cloth.triangles.middleCols(triangle, panel.triangles.cols()) = panel.triangles.array() + first;
+    for (int v = 0; v < n; ++v) {
+      cloth.garment_vertex.push_back(garment.welded[p](v));
+      cloth.panel.push_back(static_cast<int>(p));
+      members[static_cast<std::size_t>(garment.welded[p](v))].push_back(first + v);
+    }
+    const auto tie = [&](int a, int b) { return Tie{first + a, first + b, (panel.rest.col(a) - panel.rest.col(b)).norm()}; };
+    for (const MeshEdge& edge : mesh_edges(panel.triangles)) {
+      cloth.edges.push_back(tie(edge.vertex[0], edge.vertex[1]));
+      if (edge.triangle[1] < 0) continue;
+      cloth.bends.push_back(tie(edge.opposite[0], edge.opposite[1]));
+    }
+    triangle += panel.triangles.cols();
+    first += n;
+  }
+  for (auto& group : members)
+    if (group.size() > 1) cloth.stitched.push_back(std::move(group));
+  return cloth;
+}
+
+std::vector<double> stitch_gaps(const LoosePanels& cloth) {
+  std::vector<double> gaps;
+  for (const auto& group : cloth.stitched) {
+    double gap = 0;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (std::size_t j = i + 1; j < group.size(); ++j)
+        gap = std::max(gap, (cloth.positions.col(group[i]) - cloth.positions.col(group[j])).norm());
+    gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+void draw_together(const SewOptions& options, const Body& body, LoosePanels& cloth) {
+  Eigen::Matrix3Xd& x = cloth.positions;
+  std::vector<double> start(static_cast<std::size_t>(x.cols()), 0.0);
+  for (const auto& group : cloth.stitched)
+    for (const int v : group) start[static_cast<std::size_t>(v)] = (x.col(v) - middle_of(group, x)).norm();
+  Mover mover(cloth);
+  Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd::Zero(3, x.cols());
+  const int steps = options.shrinking_steps + options.holding_steps;
+  double gap = 0;
+  for (int step = 0; step < steps + options.longest_hold; ++step) {
+    if (step >= steps && gap <= options.closed_gap / 4) break;
+    const double t = std::min(1.0, static_cast<double>(step + 1) / options.shrinking_steps);
+    const double open = 1 - t * t * (3 - 2 * t);
+    const Eigen::Matrix3Xd before = x;
+    const auto& pairs = mover.pairs(x);
+    Eigen::Matrix3Xd to = x + time_step * velocity;
+    for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+      for (const Tie& edge : cloth.edges) hold_length(to, edge, 1, compression_share);
+      for (const Tie& bend : cloth.bends) hold_length(to, bend, options.bending_share, options.bending_share);
+      part_layers(pairs, options.thickness, to);
+      push_out(body, options.body_offset, to);
+      pull_stitches(cloth, start, open, to);
+    }
+    for (Eigen::Index v = 0; v < x.cols(); ++v) {
+      const Eigen::Vector3d move = to.col(v) - before.col(v);
+      const double length = move.norm();
+      if (length > longest_move) to.col(v) = before.col(v) + longest_move / length * move;
+    }
+    mover.move(x, to);
+    velocity = speed_kept / time_step * (x - before);
+    if (step + 1 >= steps) gap = widest(stitch_gaps(cloth));
+    if (options.progress) options.progress(std::min(step + 1, steps), steps);
+  }
+}
+
+}  // namespace toile

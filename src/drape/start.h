@@ -1,0 +1,24 @@
+#pragma once
+// From where the pattern puts its panels to where sewing can begin: arms inside their sleeves, nothing touching the body or
+// other panels, as few stitches as possible drawn through the body.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "body/body.h"
+#include "drape/sewing.h"
+#include "garment/mesh.h"
+#include "garment/pattern.h"
+
+namespace toile {
+
+struct Start {
+  std::vector<Eigen::Matrix3Xd> placed;  // by panel
+  double lift = 0;                       // m, by which the panels of the trunk were raised
+  int blocked_stitches = 0;              // whose straight line goes through the body
+  int intersections = 0;                 // pairs of triangles
+};
+
+Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body);
+
+}  // namespace toile
