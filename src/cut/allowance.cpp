@@ -96,7 +96,7 @@ RawCutLine put_together(const std::vector<OffsetEdge>& edges, const std::vector<
 
 bool is_sound(const Line& cut, const std::vector<OffsetEdge>& edges) {
   const Polygon polygon = places(cut);
-  return !first_self_crossing(polygon) && signed_area(polygon) > 0 && !first_too_near(cut, edges);
+  return !first_self_crossing(polygon, touching) && signed_area(polygon) > 0 && !first_too_near(cut, edges);
 }
 
 Polygon net_polygon(const Piece& piece, const std::vector<OffsetEdge>& edges) {
@@ -107,7 +107,7 @@ Polygon net_polygon(const Piece& piece, const std::vector<OffsetEdge>& edges) {
       net.push_back(edge.sew[i].at);
       edge_of.push_back(piece.outline[static_cast<std::size_t>(edge.edge)].id);
     }
-  if (const auto crossed = first_self_crossing(net))
+  if (const auto crossed = first_self_crossing(net, touching))
     throw BadInput({.code = "cut.outline-crosses",
                     .place = "piece '" + piece.name + "', edges '" + edge_of[static_cast<std::size_t>(crossed->first)] +
                              "' and '" + edge_of[static_cast<std::size_t>(crossed->second)] + "'",

@@ -146,7 +146,7 @@ Line united_cut_line(const Piece& piece, const Polygon& net, const std::vector<O
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (!is_dart_leg(edges, e) && is_buried(edges[e], all.outer) && !has_part_on(all.outer, strips[e])) refuse(piece, name(e));
   Line line = flagged(all.outer, raw);
-  if (const auto crossed = first_self_crossing(places(line)))
+  if (const auto crossed = first_self_crossing(places(line), touching))
     refuse(piece, name(edge_at(edges, line[static_cast<std::size_t>(crossed->first)].at)));
   if (const auto near = first_too_near(line, edges)) refuse(piece, name(*near));
   return line;

@@ -1,29 +1,17 @@
 #include "triangulate/outline.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/intersections.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <numeric>
 #include <string>
 
 #include "garment/report.h"
 #include "garment/units.h"
+#include "geometry/self_crossing.h"
 
 namespace toile {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 // Ends of consecutive edges further apart than this leave the outline open; nearer is a file's rounding.
 constexpr double closing_tolerance = 1e-5;  // m
-
-Kernel::Point_2 point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
-
-bool folds_back(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return CGAL::orientation(point(a), point(b), point(c)) == CGAL::COLLINEAR && (b - a).dot(c - b) < 0;
-}
 
 std::string in_cm(const Eigen::Vector2d& p) {
   char text[64];
@@ -61,38 +49,6 @@ void check_edges(const Piece& piece) {
 
 }  // namespace
 
-std::optional<Crossing> first_crossing(const std::vector<Eigen::Vector2d>& loop) {
-  const std::size_t n = loop.size();
-  const auto end = [&](std::size_t i) -> const Eigen::Vector2d& { return loop[(i + 1) % n]; };
-  const auto left = [&](std::size_t i) { return std::min(loop[i].x(), end(i).x()); };
-  const auto right = [&](std::size_t i) { return std::max(loop[i].x(), end(i).x()); };
-  std::vector<std::size_t> by_left(n);
-  std::iota(by_left.begin(), by_left.end(), std::size_t{0});
-  std::sort(by_left.begin(), by_left.end(),
-            [&](std::size_t a, std::size_t b) { return std::pair(left(a), a) < std::pair(left(b), b); });
-  std::optional<Crossing> found;
-  const auto report = [&](std::size_t a, std::size_t b) {
-    const Crossing crossing{static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b))};
-    if (!found || std::pair(crossing.first, crossing.second) < std::pair(found->first, found->second)) found = crossing;
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t a = by_left[i];
-    for (std::size_t j = i + 1; j < n && left(by_left[j]) <= right(a); ++j) {
-      const std::size_t b = by_left[j];
-      if ((a + 1) % n == b || (b + 1) % n == a) continue;
-      if (std::max(loop[a].y(), end(a).y()) < std::min(loop[b].y(), end(b).y()) ||
-          std::max(loop[b].y(), end(b).y()) < std::min(loop[a].y(), end(a).y()))
-        continue;
-      if (CGAL::do_intersect(Kernel::Segment_2(point(loop[a]), point(end(a))),
-                             Kernel::Segment_2(point(loop[b]), point(end(b)))))
-        report(a, b);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    if (folds_back(loop[i], end(i), end((i + 1) % n))) report(i, (i + 1) % n);
-  return found;
-}
-
 OutlinePolygon outline_polygon(const Piece& piece) {
   OutlinePolygon polygon;
   for (std::size_t e = 0; e < piece.outline.size(); ++e)
@@ -112,7 +68,7 @@ void check_outlines(const Pattern& pattern) {
     const OutlinePolygon polygon = outline_polygon(piece);
     if (polygon.corners.size() < 3)
       refuse("pattern.self-crossing", piece, "the outline encloses nothing", "Draw its net line again");
-    if (const auto crossing = first_crossing(polygon.corners)) {
+    if (const auto crossing = first_self_crossing(polygon.corners)) {
       const auto edge = [&](int side) {
         return piece.outline[static_cast<std::size_t>(polygon.edge[static_cast<std::size_t>(side)])].id;
       };

@@ -2,21 +2,11 @@
 // What must hold of a piece's outline before it can be meshed.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "garment/pattern.h"
 
 namespace toile {
-
-// Two sides of a closed polygon, by the index of their first corner.
-struct Crossing {
-  int first = 0, second = 0;
-};
-
-// The first pair of sides that cross, touch without being neighbours, or fold back onto each other. The polygon is given
-// without repeated end and without two equal points in a row. Exact: rounding neither hides nor invents a crossing.
-std::optional<Crossing> first_crossing(const std::vector<Eigen::Vector2d>& loop);
 
 // The piece's outline as a polygon without equal points in a row, with the edge each side belongs to.
 struct OutlinePolygon {

@@ -9,6 +9,7 @@
 
 #include "garment/report.h"
 #include "geometry/polyline.h"
+#include "geometry/self_crossing.h"
 #include "triangulate/intervals.h"
 #include "triangulate/outline.h"
 #include "triangulate/seam_places.h"
@@ -95,7 +96,7 @@ std::set<int> crossing_groups(const std::vector<Interval>& parts, const Samples&
       twice_area += a.x() * b.y() - a.y() * b.x();
       loop.push_back(a);
     }
-    const auto crossing = loop.size() < 3 ? std::nullopt : first_crossing(loop);
+    const auto crossing = loop.size() < 3 ? std::nullopt : first_self_crossing(loop);
     if (loop.size() >= 3 && twice_area > 0 && !crossing) continue;
     piece = static_cast<int>(p);
     for (std::size_t i = 0; i < samples[p].size(); ++i)

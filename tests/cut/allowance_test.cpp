@@ -174,12 +174,12 @@ TEST(Allowance, TightInnerCurveBecomesTheUnionOfItsStrips) {
              edge("slope", {{.15, .3}, {.12, .21}}), edge("bay", arc({.1, .21}, .02, 0, -pi, 16)),
              edge("rise", {{.08, .21}, {.05, .3}}), edge("top_left", {{.05, .3}, {0, .3}}), edge("left", {{0, .3}, {0, 0}})});
   const CutPiece roomy = add_allowance(with_bay);
-  EXPECT_FALSE(first_self_crossing(places(roomy.cut_line)));
+  EXPECT_FALSE(first_self_crossing(places(roomy.cut_line), touching));
   AllowanceRules wide;
   wide.allowance = .025;
   const CutPiece cut = add_allowance(with_bay, wide);
   const Polygon line = places(cut.cut_line);
-  EXPECT_FALSE(first_self_crossing(line));
+  EXPECT_FALSE(first_self_crossing(line, touching));
   EXPECT_GT(signed_area(line), 0);
   for (const Vector2d& p : net_line(with_bay)) EXPECT_GE(distance_to(line, p), .025 - 1e-6);
   for (const OutlinePoint& p : cut.cut_line) EXPECT_NEAR(distance_to(net_line(with_bay), p.at), .025, .0125 + 1e-6);
@@ -189,7 +189,7 @@ TEST(Allowance, ADartThatIsTooNarrowIsCutStraightAcross) {
   const Piece darted = polygon_piece({{0, 0}, {.3, 0}, {.3, .2}, {.155, .2}, {.15, .1}, {.145, .2}, {0, .2}}, {.01});
   const CutPiece cut = add_allowance(darted);
   const Polygon line = places(cut.cut_line);
-  EXPECT_FALSE(first_self_crossing(line));
+  EXPECT_FALSE(first_self_crossing(line, touching));
   for (const Vector2d& p : net_line(darted)) EXPECT_GE(distance_to(line, p), .01 - 1e-6);
   EXPECT_NEAR(signed_area(line), .32 * .22, 1e-9);
 }

@@ -14,21 +14,6 @@ TEST(Polygon, KnowsItsAreaAndWhatItContains) {
   EXPECT_FALSE(contains(square, {-0.1, 0.5}));
 }
 
-TEST(Polygon, DistanceBetweenSegments) {
-  EXPECT_DOUBLE_EQ(distance({0, 0}, {1, 0}, {0.5, 0.3}, {0.7, 1}), 0.3);
-  EXPECT_DOUBLE_EQ(distance({0, 0}, {1, 0}, {0.5, -1}, {0.5, 1}), 0);
-  EXPECT_DOUBLE_EQ(distance({0, 0}, {1, 0}, {4, 4}, {4, 5}), 5);
-  EXPECT_DOUBLE_EQ(distance({0, 0}, {1, 0}, {0.2, 0.5}, {0.8, 0.5}), 0.5);
-}
-
-TEST(Polygon, FindsWhereItCrossesTouchesOrFoldsBack) {
-  EXPECT_FALSE(first_self_crossing(square));
-  EXPECT_TRUE(first_self_crossing({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));                  // bow
-  EXPECT_TRUE(first_self_crossing({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));          // corner on an edge
-  EXPECT_TRUE(first_self_crossing({{0, 0}, {1, 0}, {1, 1}, {1, 3}, {1, 1}, {0, 1}}));  // spike
-  EXPECT_FALSE(first_self_crossing({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}));         // a point on a straight edge
-}
-
 TEST(Polygon, OverlapsWhereItReaches) {
   const auto moved = [](double x, double y) {
     Polygon polygon = square;

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "triangulate/outline.h"
+#include "geometry/self_crossing.h"
 #include "triangulate/smooth.h"
 
 namespace toile {
@@ -119,7 +119,7 @@ TEST(Fill, KeepsItsAnglesInRandomStars) {
       star.push_back((.08 + .22 * unit(random)) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
     const Loop loop = divided(star, h);
-    if (first_crossing(loop)) continue;
+    if (first_self_crossing(loop)) continue;
     ++tried;
     std::vector<Eigen::Vector2d> sharp;
     for (std::size_t i = 0; i < star.size(); ++i) {

@@ -22,45 +22,6 @@ Pattern only(Piece piece) {
   return pattern;
 }
 
-TEST(FirstCrossing, FindsTheTwoSidesOfABowTie) {
-  const auto crossing = first_crossing({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
-  ASSERT_TRUE(crossing);
-  EXPECT_EQ(crossing->first, 0);
-  EXPECT_EQ(crossing->second, 2);
-}
-
-TEST(FirstCrossing, LetsNeighboursMeetAndNothingElseTouch) {
-  EXPECT_FALSE(first_crossing({{0, 0}, {1, 0}, {1, 1}}));
-  EXPECT_FALSE(first_crossing({{0, 0}, {2, 0}, {2, 2}, {1, 1e-9}, {0, 2}}));
-  EXPECT_TRUE(first_crossing({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));  // a corner on the opposite side
-}
-
-TEST(FirstCrossing, SeesAnOutlineThatFoldsBackOntoItself) { EXPECT_TRUE(first_crossing({{0, 0}, {2, 0}, {1, 0}, {1, 1}})); }
-
-// Against the quadratic definition with floating point, on polygons in general position.
-TEST(FirstCrossing, AgreesWithTestingAllPairs) {
-  const auto left_of = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()) > 0;
-  };
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  int simple = 0;
-  for (int trial = 0; trial < 300; ++trial) {
-    Loop loop;
-    for (int i = 0; i < 6; ++i) loop.emplace_back(coordinate(random), coordinate(random));
-    bool crosses = false;
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = i + 2; j < 6; ++j) {
-        if (i == 0 && j == 5) continue;
-        const Eigen::Vector2d &a = loop[i], &b = loop[i + 1], &c = loop[j], &d = loop[(j + 1) % 6];
-        crosses |= left_of(a, b, c) != left_of(a, b, d) && left_of(c, d, a) != left_of(c, d, b);
-      }
-    EXPECT_EQ(first_crossing(loop).has_value(), crosses);
-    simple += !crosses;
-  }
-  EXPECT_GT(simple, 10);
-}
-
 TEST(CheckOutlines, AcceptsSimpleCounterClockwiseLoops) {
   EXPECT_NO_THROW(check_outlines(gored_skirt()));
   EXPECT_NO_THROW(check_outlines(darted_panel()));
