@@ -32,10 +32,12 @@ struct AllowanceRules {
 //  5. A hem with mirrored corners, turned up about its line, ends on the cut lines of its neighbours.
 //  6. As many notches as before, each on the cut line square to its place on the sew line; they stay at least a fifth of the
 //     allowance away from it. Where there is no allowance a notch lies on the edge with depth 0: a mark, not to be snipped.
-// Where allowances overlap at a concave place (a tight curve, a dart) the cut line is the outline of their union; a dart with
-// no room between its allowances is not cut open. Throws BadInput "cut.allowance-crosses" naming piece and edge when they close
-// a gap of the outline or bury an edge that is not a dart's leg, "cut.outline-crosses" when the net outline crosses itself;
-// std::invalid_argument for a clockwise or open outline, negative or non-finite allowances.
+// Where allowances overlap at a concave place (a tight curve, a dart) the cut line is the outline of their union: a dart is cut
+// open only as far as its legs keep their allowances apart, and cut straight across its mouth where they do nowhere; its legs
+// remain sew lines inside the piece. A leg may be several edges that hardly turn. Throws BadInput "cut.allowance-crosses"
+// naming piece and edge when they close a gap of the outline or bury an edge that is not a dart's leg, "cut.outline-crosses"
+// when the net outline crosses itself; std::invalid_argument for a clockwise or open outline, negative or non-finite
+// allowances.
 CutPiece add_allowance(const Piece& piece, const AllowanceRules& rules = {});
 
 struct SheetRules {

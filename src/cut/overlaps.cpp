@@ -64,9 +64,25 @@ bool meet_in_a_dart(const OffsetEdge& in, const OffsetEdge& out) {
   return cross(in.last, out.first) < 0 && in.last.dot(out.first) < -0.5;
 }
 
-bool is_dart_leg(const std::vector<OffsetEdge>& edges, std::size_t e) {
+// A leg goes on over turn points at which the outline hardly turns; at the mouth of the dart it turns by more than this.
+bool goes_on(const OffsetEdge& in, const OffsetEdge& out) { return in.last.dot(out.first) > 0.8; }
+
+// Which edges are the legs of a dart, or parts of them: from each point of a dart both ways.
+std::vector<bool> dart_legs(const std::vector<OffsetEdge>& edges) {
   const std::size_t n = edges.size();
-  return meet_in_a_dart(edges[e], edges[(e + 1) % n]) || meet_in_a_dart(edges[(e + n - 1) % n], edges[e]);
+  std::vector<bool> legs(n, false);
+  for (std::size_t point = 0; point < n; ++point) {
+    if (!meet_in_a_dart(edges[point], edges[(point + 1) % n])) continue;
+    for (std::size_t e = point, k = 0; k < n; ++k, e = (e + n - 1) % n) {
+      legs[e] = true;
+      if (!goes_on(edges[(e + n - 1) % n], edges[e])) break;
+    }
+    for (std::size_t e = (point + 1) % n, k = 0; k < n; ++k, e = (e + 1) % n) {
+      legs[e] = true;
+      if (!goes_on(edges[e], edges[(e + 1) % n])) break;
+    }
+  }
+  return legs;
 }
 
 // Index of the edge whose strip ends at `point`, or nearest to it.
@@ -78,6 +94,14 @@ std::size_t edge_at(const std::vector<OffsetEdge>& edges, const Vector2d& point)
       best = std::min(best, std::pair{std::abs(apart - edges[e].width), e});
     }
   return best.second;
+}
+
+// Whether the allowance of a dart's leg ends at `point`.
+bool is_beside_leg(const std::vector<OffsetEdge>& edges, const std::vector<bool>& legs, const Vector2d& point) {
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (std::size_t i = 1; legs[e] && i < edges[e].sew.size(); ++i)
+      if (std::abs(distance(point, edges[e].sew[i - 1].at, edges[e].sew[i].at) - edges[e].width) < slack) return true;
+  return false;
 }
 
 // The points of the union's outline with the flags of the raw cut line's points they came from.
@@ -137,14 +161,14 @@ Line united_cut_line(const Piece& piece, const Polygon& net, const std::vector<O
     fans.insert(fans.end(), joints[e].patches.begin(), joints[e].patches.end());
   }
   const OutlineUnion all = unite(net, fans);
+  const std::vector<bool> is_leg = dart_legs(edges);
   const auto name = [&](std::size_t e) { return piece.outline[static_cast<std::size_t>(edges[e].edge)].id; };
   for (const Polygon& hole : all.holes)
-    for (const Vector2d& point : hole) {
-      const std::size_t e = edge_at(edges, point);
-      if (std::abs(signed_area(hole)) > smallest_hole && !is_dart_leg(edges, e)) refuse(piece, name(e));
-    }
+    for (const Vector2d& point : hole)
+      if (std::abs(signed_area(hole)) > smallest_hole && !is_beside_leg(edges, is_leg, point))
+        refuse(piece, name(edge_at(edges, point)));
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (!is_dart_leg(edges, e) && is_buried(edges[e], all.outer) && !has_part_on(all.outer, strips[e])) refuse(piece, name(e));
+    if (!is_leg[e] && is_buried(edges[e], all.outer) && !has_part_on(all.outer, strips[e])) refuse(piece, name(e));
   Line line = flagged(all.outer, raw);
   if (const auto crossed = first_self_crossing(places(line), touching))
     refuse(piece, name(edge_at(edges, line[static_cast<std::size_t>(crossed->first)].at)));

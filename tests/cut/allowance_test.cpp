@@ -194,6 +194,34 @@ TEST(Allowance, ADartThatIsTooNarrowIsCutStraightAcross) {
   EXPECT_NEAR(signed_area(line), .32 * .22, 1e-9);
 }
 
+// Darts as they come: from slits to wide ones, upright and leaning, their legs in one edge or in two that bow in or out.
+TEST(Allowance, TakesDartsOfEveryShape) {
+  for (const double bow : {0., .003, -.003})
+    for (const double lean : {0., .05})
+      for (const double mouth : {.004, .01, .02, .06})
+        for (const double depth : {.06, .15})
+          for (const double width : {.005, .01, .02}) {
+            const Vector2d right(.15 + mouth / 2, .4), left(.15 - mouth / 2, .4), point(.15 + lean, .4 - depth);
+            const Vector2d out(bow, 0);
+            if (mouth / 4 + bow <= 0) continue;  // the legs would cross
+            const Piece darted = polygon_piece(
+                {{0, 0}, {.3, 0}, {.3, .4}, right, (right + point) / 2 + out, point, (left + point) / 2 - out, left, {0, .4}},
+                {width});
+            SCOPED_TRACE(std::to_string(mouth) + " wide, " + std::to_string(depth) + " deep, allowance " +
+                         std::to_string(width));
+            const Polygon line = places(add_allowance(darted).cut_line);
+            EXPECT_FALSE(first_self_crossing(line, touching));
+            for (const Vector2d& p : net_line(darted)) EXPECT_GE(distance_to(line, p), width - 1e-6);
+            // A narrow one is cut straight across its mouth.
+            const double whole = (.3 + 2 * width) * (.4 + 2 * width);
+            EXPECT_GE(signed_area(line), whole - mouth * depth);
+            EXPECT_LE(signed_area(line), whole + 1e-9);
+            if (mouth < 1.5 * width && lean == 0) {
+              EXPECT_NEAR(signed_area(line), whole, 1e-9);
+            }
+          }
+}
+
 TEST(Allowance, ALeafShapedDartIsNotCutOpen) {
   Piece leaf =
       polygon_piece({{0, 0}, {.3, 0}, {.3, .4}, {.155, .4}, {.18, .25}, {.15, .1}, {.12, .25}, {.145, .4}, {0, .4}}, {.01});
