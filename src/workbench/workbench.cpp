@@ -7,6 +7,7 @@
 #include "garment/units.h"
 #include "triangulate/hems.h"
 #include "triangulate/triangulate.h"
+#include "workbench/stretch.h"
 
 namespace toile {
 namespace {
@@ -92,6 +93,7 @@ Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double
   if (!has_hem(pattern)) mark_hems(worn.garment, dressed.positions, scene.body, worn.pattern);
   worn.drape = phi(worn.pattern, scene, progress)(worn.garment, dressed.positions, tolerance);
   worn.report.append(drape_findings(worn.drape, tolerance, "source drape"));
+  worn.report.append(stretch_findings(worn.garment, worn.drape.positions, scene.fabric, scene.body.form, "source drape"));
   return worn;
 }
 
@@ -130,6 +132,8 @@ Verified verify(const Pattern& pattern, const Target& target, const RestShape& l
   verified.drape = phi(pattern, scene, progress)(with_rest(target.garment, verified.rest), target.positions, tolerance);
   verified.step = measure(target, verified.rest, verified.drape);
   verified.report = drape_findings(verified.drape, tolerance, "re-drape");
+  verified.report.append(stretch_findings(with_rest(target.garment, verified.rest), verified.drape.positions, scene.fabric,
+                                          scene.body.form, "re-drape"));
   return verified;
 }
 

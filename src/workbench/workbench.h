@@ -31,7 +31,7 @@ struct Worn {
   GarmentMesh garment;
   Drape drape;
   double seam_gap = 0;  // m, widest seam just before it was welded
-  Report report;        // errors of the guards: "drape.not-settled", "drape.penetrates", "drape.slipped", ...
+  Report report;        // errors of the guards: "drape.not-settled", "drape.penetrates", ...; warnings
 };
 
 // Triangulates, sews, dresses and settles. Throws BadInput when the pattern cannot be meshed or placed.
