@@ -17,7 +17,8 @@ struct Hinge {
   double stiffness = 0;  // N m / m^2
 };
 
-// One hinge per inner edge (stiffness grows with the third power of the layers there, as of one thicker cloth) and per seam edge; across a seam each side uses its own rest triangle.
+// One hinge per inner edge (stiffness grows with the third power of the layers there, as of one thicker cloth) and per seam
+// edge; across a seam each side uses its own rest triangle.
 std::vector<Hinge> bending_hinges(const GarmentMesh& garment, const Fabric& fabric);
 
 Eigen::Vector3d hinge_vector(const Hinge& hinge, const Eigen::Matrix3Xd& x);

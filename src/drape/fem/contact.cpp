@@ -1,12 +1,20 @@
 #include "drape/fem/contact.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace toile::fem {
 namespace {
 
-double depth(const ContactLaw& law, double distance) { return distance < law.reach ? (law.reach - distance) / law.reach : 0.0; }
+struct Depth {
+  double reached, pressed;  // u and w
+};
+
+Depth depth(const ContactLaw& law, double distance) {
+  const double u = (law.reach - distance) / law.reach;
+  return {std::max(u, 0.0), std::max(u - .5, 0.0)};
+}
 
 Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
   const Eigen::Vector3d moved = x - state.anchor;
@@ -16,17 +24,18 @@ Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
 }  // namespace
 
 double normal_energy(const ContactLaw& law, double area, double distance) {
-  const double u = depth(law, distance);
-  return area * law.pressure * law.reach / 3 * u * u * u;
+  const auto [u, w] = depth(law, distance);
+  return area * law.pressure * law.reach / 3 * (u * u * u + law.firmness * w * w * w);
 }
 
 double normal_force(const ContactLaw& law, double area, double distance) {
-  const double u = depth(law, distance);
-  return area * law.pressure * u * u;
+  const auto [u, w] = depth(law, distance);
+  return area * law.pressure * (u * u + law.firmness * w * w);
 }
 
 double normal_stiffness(const ContactLaw& law, double area, double distance) {
-  return 2 * area * law.pressure / law.reach * depth(law, distance);
+  const auto [u, w] = depth(law, distance);
+  return 2 * area * law.pressure / law.reach * (u + law.firmness * w);
 }
 
 double friction_energy(const ContactLaw& law, const FrictionState& state, const Eigen::Vector3d& x) {

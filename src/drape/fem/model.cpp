@@ -1,7 +1,9 @@
 #include "drape/fem/model.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace toile::fem {
 namespace {
@@ -12,15 +14,27 @@ Eigen::Matrix3d corners(const MembraneElement& element, const Eigen::Matrix3Xd& 
   return c;
 }
 
-// Faces bridge where the body is round: contact is kept at the triangles' centres as well as at the vertices (weights 3/4 and
-// 1/4: exact for quadratic pressure). Calls visit(centre, distance, area, triangle) for centres within reach.
+// Edges bridge where the body is round, and sag deeper than faces: contact is kept at their midpoints as well as at the
+// vertices (weights 3/4 and 1/4). Calls visit(midpoint, distance, edge) for midpoints within reach.
 template <class Visit>
-void for_centres_in_reach(const Model& model, const Eigen::Matrix3Xd& x, const Visit& visit) {
-  for (const MembraneElement& element : model.triangles) {
-    const Eigen::Vector3d centre = (x.col(element.vertex[0]) + x.col(element.vertex[1]) + x.col(element.vertex[2])) / 3;
-    const double distance = model.body->distance.distance(centre);
-    if (distance < model.contact.reach) visit(centre, distance, 0.75 * element.area, element);
+void for_edges_in_reach(const Model& model, const Eigen::Matrix3Xd& x, const Visit& visit) {
+  for (const ContactEdge& edge : model.contact_edges) {
+    const Eigen::Vector3d middle = (x.col(edge.vertex[0]) + x.col(edge.vertex[1])) / 2;
+    const double distance = model.body->distance.distance(middle);
+    if (distance < model.contact.reach) visit(middle, distance, edge);
   }
+}
+
+std::vector<ContactEdge> contact_edges(const std::vector<MembraneElement>& triangles) {
+  std::map<std::array<int, 2>, double> area;
+  for (const MembraneElement& element : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = element.vertex[i], b = element.vertex[(i + 1) % 3];
+      area[{std::min(a, b), std::max(a, b)}] += 0.75 * element.area / 3;
+    }
+  std::vector<ContactEdge> edges;
+  for (const auto& [vertex, sum] : area) edges.push_back({vertex, sum});
+  return edges;
 }
 
 }  // namespace
@@ -42,9 +56,11 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
       const auto g = garment.triangles.col(static_cast<Eigen::Index>(t));
       MembraneElement element = membrane_element({g(0), g(1), g(2)}, shapes[t], panel.warp);
       element.layers = layers(static_cast<Eigen::Index>(t));
-      for (int corner = 0; corner < 3; ++corner) model.mass(g(corner)) += fabric.area_density * element.layers * element.area / 3;
+      for (int corner = 0; corner < 3; ++corner)
+        model.mass(g(corner)) += fabric.area_density * element.layers * element.area / 3;
       model.triangles.push_back(element);
     }
+  model.contact_edges = contact_edges(model.triangles);
   return model;
 }
 
@@ -60,8 +76,8 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
   Eigen::VectorXd forces(x.cols());
   for (Eigen::Index v = 0; v < x.cols(); ++v)
     forces(v) = normal_force(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
-  for_centres_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, double area, const MembraneElement& element) {
-    for (const int v : element.vertex) forces(v) += normal_force(model.contact, area, distance) / 3;
+  for_edges_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, const ContactEdge& edge) {
+    for (const int v : edge.vertex) forces(v) += normal_force(model.contact, edge.area, distance) / 2;
   });
   double rest = 0;
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
@@ -94,8 +110,8 @@ double energy(const Model& model, const Friction& friction, const Eigen::Matrix3
     sum += normal_energy(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
     sum += friction_energy(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
   }
-  for_centres_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, double area, const MembraneElement&) {
-    sum += normal_energy(model.contact, area, distance);
+  for_edges_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, const ContactEdge& edge) {
+    sum += normal_energy(model.contact, edge.area, distance);
   });
   return sum;
 }
@@ -108,12 +124,11 @@ Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matr
     if (distance < model.contact.reach)
       g.col(v) -= normal_force(model.contact, model.contact_area(v), distance) * model.body->distance.sample(x.col(v)).gradient;
   }
-  for_centres_in_reach(model, x,
-                       [&](const Eigen::Vector3d& centre, double distance, double area, const MembraneElement& element) {
-                         const Eigen::Vector3d push =
-                             normal_force(model.contact, area, distance) / 3 * model.body->distance.sample(centre).gradient;
-                         for (const int v : element.vertex) g.col(v) -= push;
-                       });
+  for_edges_in_reach(model, x, [&](const Eigen::Vector3d& middle, double distance, const ContactEdge& edge) {
+    const Eigen::Vector3d push =
+        normal_force(model.contact, edge.area, distance) / 2 * model.body->distance.sample(middle).gradient;
+    for (const int v : edge.vertex) g.col(v) -= push;
+  });
   for (const MembraneElement& element : model.triangles) {
     Vector9 local = Vector9::Zero();
     membrane_derivatives(element, model.law, corners(element, x), Curvature::full, local, nullptr);
@@ -173,12 +188,13 @@ void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3
     if (distance < model.contact.reach) block += contact_block(x.col(v), distance, model.contact_area(v));
     matrix.add(static_cast<int>(v), static_cast<int>(v), block);
   }
-  for_centres_in_reach(model, x,
-                       [&](const Eigen::Vector3d& centre, double distance, double area, const MembraneElement& element) {
-                         const Eigen::Matrix3d block = contact_block(centre, distance, area) / 9;
-                         for (std::size_t i = 0; i < 3; ++i)
-                           for (std::size_t j = 0; j <= i; ++j) matrix.add(element.vertex[i], element.vertex[j], block);
-                       });
+  for_edges_in_reach(model, x, [&](const Eigen::Vector3d& middle, double distance, const ContactEdge& edge) {
+    const Eigen::Matrix3d block = contact_block(middle, distance, edge.area) / 4;
+    const auto [a, b] = edge.vertex;
+    matrix.add(a, a, block);
+    matrix.add(b, b, block);
+    matrix.add(b, a, block);
+  });
 }
 
 double weight(const Model& model) { return gravity * model.mass.norm(); }

@@ -3,6 +3,7 @@
 // lagged). One energy for every solver and every test.
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -17,13 +18,20 @@ namespace toile::fem {
 
 constexpr double gravity = 9.81;  // m/s^2, along -Y
 
+// Where an edge of the mesh meets the body: its midpoint stands for `area`.
+struct ContactEdge {
+  std::array<int, 2> vertex{};
+  double area = 0;  // m^2, rest
+};
+
 struct Model {
   MembraneLaw law;
   ContactLaw contact;
   std::vector<MembraneElement> triangles;
   std::vector<Hinge> hinges;
   Eigen::VectorXd mass;          // kg by vertex
-  Eigen::VectorXd contact_area;  // m^2 by vertex: a quarter of its rest area; the rest is at the triangles' centres
+  Eigen::VectorXd contact_area;  // m^2 by vertex: a quarter of its rest area; the rest is at the edges' midpoints
+  std::vector<ContactEdge> contact_edges;
   const Body* body = nullptr;
   Eigen::Vector3d weight_direction = -Eigen::Vector3d::UnitY();
 };
