@@ -1,5 +1,6 @@
 
 #include "drape/fem/fem.h"
+#include "drape/mass_spring/mass_spring.h"
 #include "drape/simulator.h"
 #include "garment/report.h"
 
@@ -9,6 +10,7 @@ const std::vector<Simulator>& simulators() {
   static const std::vector<Simulator> list{
       {"fem", "quasi-static finite elements: orthotropic membrane, bending, contact, start-anchored friction", fem::drape},
       {"fem-projected", "the same energy by projected Newton: slower, the reference for fem", fem::drape_projected},
+      {"mass-spring", "edge springs moved to rest in small steps, strain limited, velocity friction", mass_spring::drape},
   };
   return list;
 }

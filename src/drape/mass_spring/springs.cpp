@@ -1,0 +1,174 @@
+#include "drape/mass_spring/springs.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/topology.h"
+
+namespace toile::mass_spring {
+namespace {
+
+constexpr double steepest = 5;  // times as stiff, at most, beyond the limit
+constexpr double crumple_strain = 0.02;
+constexpr double crumple_width = 0.02;
+constexpr double crumpled_share = 0.15;
+constexpr double least_share = 0.05;  // of the mean, that every spring keeps
+
+using Harmonics = Eigen::Matrix<double, 5, 1>;
+
+// 1, cos 2t, sin 2t, cos 4t, sin 4t of the angle between `edge` and the warp: what a fourth-order plane tensor is made of.
+Harmonics harmonics(double angle) {
+  Harmonics h;
+  h << 1, std::cos(2 * angle), std::sin(2 * angle), std::cos(4 * angle), std::sin(4 * angle);
+  return h;
+}
+
+// Sum of w * harmonics over springs of unit area whose tensor sum of w d x d x d x d is the given one.
+Harmonics moments(const NetworkStiffness& c) {
+  Harmonics m;
+  m << c.warp + c.weft + 2 * c.cross, c.warp - c.weft, 0, c.warp + c.weft - 6 * c.cross, 0;
+  return m;
+}
+
+// w as a combination of the harmonics where edges run evenly in all directions, three to a triangle.
+Harmonics even_weights(const NetworkStiffness& c) {
+  Harmonics w = 2.0 / 3 * moments(c);
+  w(0) /= 2;
+  return w;
+}
+
+NetworkStiffness with_cross(double young_warp, double young_weft, double cross) {
+  const double share = (1 + std::sqrt(1 + 4 * cross * cross / (young_warp * young_weft))) / 2;
+  return {young_warp * share, young_weft * share, cross};
+}
+
+double least_even_weight(const NetworkStiffness& c) {
+  const Harmonics w = even_weights(c);
+  double least = w(0);
+  for (int i = 0; i <= 90; ++i) least = std::min(least, w.dot(harmonics(i * std::numbers::pi / 180)));
+  return least;
+}
+
+struct RestTriangle {
+  std::array<double, 3> angle{};   // of the edge from corner i to the next, against the warp
+  std::array<double, 3> length{};  // m
+  double area = 0;
+};
+
+std::vector<RestTriangle> rest_edges(const GarmentMesh& garment) {
+  std::vector<RestTriangle> triangles;
+  for (const PanelMesh& panel : garment.panels)
+    for (Eigen::Index t = 0; t < panel.triangles.cols(); ++t) {
+      RestTriangle triangle;
+      std::array<Eigen::Vector2d, 3> side;
+      for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        side[k] = panel.rest.col(panel.triangles((i + 1) % 3, t)) - panel.rest.col(panel.triangles(i, t));
+        const Eigen::Vector2d& w = panel.warp;
+        triangle.angle[k] = std::atan2(w.x() * side[k].y() - w.y() * side[k].x(), w.dot(side[k]));
+        triangle.length[k] = side[k].norm();
+      }
+      triangle.area = std::abs(side[0].x() * side[1].y() - side[0].y() * side[1].x()) / 2;
+      triangles.push_back(triangle);
+    }
+  return triangles;
+}
+
+// By vertex: the combination of harmonics with which the springs of the triangles around have the wanted tensor; where these
+// run in too few directions to have it, the nearest to that of an even sheet.
+std::vector<Harmonics> fitted_weights(const GarmentMesh& garment, const std::vector<RestTriangle>& triangles,
+                                      const NetworkStiffness& wanted) {
+  const auto vertices = static_cast<std::size_t>(garment.vertex_count);
+  std::vector<Eigen::Matrix<double, 5, 5>> sums(vertices, Eigen::Matrix<double, 5, 5>::Zero());
+  std::vector<double> areas(vertices, 0.0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto v = static_cast<std::size_t>(garment.triangles(corner, static_cast<Eigen::Index>(t)));
+      areas[v] += triangles[t].area;
+      for (const double angle : triangles[t].angle)
+        sums[v] += triangles[t].area * harmonics(angle) * harmonics(angle).transpose();
+    }
+  const Harmonics even = even_weights(wanted), goal = moments(wanted);
+  std::vector<Harmonics> weights(vertices, even);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (areas[v] <= 0) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>> modes(sums[v] / areas[v]);
+    const Harmonics missing = goal - sums[v] / areas[v] * even;
+    for (int i = 0; i < 5; ++i)
+      if (modes.eigenvalues()(i) > 0.05 * modes.eigenvalues()(4))
+        weights[v] += modes.eigenvectors().col(i).dot(missing) / modes.eigenvalues()(i) * modes.eigenvectors().col(i);
+  }
+  return weights;
+}
+
+}  // namespace
+
+Pull pull_at(const SpringLaw& law, double strain) {
+  Pull p{strain * strain / 2, strain, 1};
+  const double excess = strain - law.limit;
+  if (excess > 0) {
+    const double k = 10 / law.limit;
+    const double u = std::min(excess, (steepest - 1) / k), beyond = excess - u;
+    p.energy += k * u * (u * u / 6 + beyond * (u + beyond) / 2);
+    p.pull += k * u * (u / 2 + beyond);
+    p.slope += k * u;
+  }
+  const double squeezed = -strain - crumple_strain;
+  if (squeezed > 0) {
+    constexpr double lost = 1 - crumpled_share;
+    const double u = std::min(squeezed, crumple_width), beyond = squeezed - u;
+    p.energy -= lost * (u * u * u / (6 * crumple_width) + beyond * (crumple_width / 2 + beyond / 2));
+    p.pull += lost * (u * u / (2 * crumple_width) + beyond);
+    p.slope -= lost * u / crumple_width;
+  }
+  return p;
+}
+
+NetworkStiffness network_stiffness(const Fabric& fabric) {
+  const double young_warp = fabric.stretch_warp - fabric.stretch_cross * fabric.stretch_cross / fabric.stretch_weft;
+  const double young_weft = fabric.stretch_weft - fabric.stretch_cross * fabric.stretch_cross / fabric.stretch_warp;
+  double cross = (fabric.stretch_cross + 2 * fabric.shear) / 3;
+  NetworkStiffness c = with_cross(young_warp, young_weft, cross);
+  while (least_even_weight(c) < least_share * even_weights(c)(0)) {
+    cross = 1.02 * cross + 1e-3 * std::min(young_warp, young_weft);
+    c = with_cross(young_warp, young_weft, cross);
+  }
+  return c;
+}
+
+std::vector<Spring> edge_springs(const GarmentMesh& garment, const Fabric& fabric) {
+  const std::vector<RestTriangle> triangles = rest_edges(garment);
+  const NetworkStiffness wanted = network_stiffness(fabric);
+  const std::vector<Harmonics> weights = fitted_weights(garment, triangles, wanted);
+  const double least = least_share * even_weights(wanted)(0);
+  const Eigen::VectorXd layers = triangle_layers(garment);
+  std::vector<Spring> springs;
+  for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
+    const auto u = static_cast<std::size_t>(edge.vertex[0]), v = static_cast<std::size_t>(edge.vertex[1]);
+    std::array<Spring, 2> sides;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const int t = edge.triangle[s];
+      if (t < 0) continue;
+      std::size_t k = 0;
+      while (garment.triangles(static_cast<Eigen::Index>(k), t) == edge.opposite[s] ||
+             garment.triangles(static_cast<Eigen::Index>((k + 1) % 3), t) == edge.opposite[s])
+        ++k;
+      const RestTriangle& triangle = triangles[static_cast<std::size_t>(t)];
+      const double w = std::max(least, (weights[u] + weights[v]).dot(harmonics(triangle.angle[k])) / 2);
+      const double length = triangle.length[k];
+      sides[s] = {edge.vertex[0], edge.vertex[1], length, w * layers(t) * triangle.area / (length * length)};
+    }
+    if (edge.triangle[1] >= 0 && std::abs(sides[0].rest - sides[1].rest) < 1e-9) {
+      sides[0].stiffness += sides[1].stiffness;
+      springs.push_back(sides[0]);
+    } else {
+      for (const Spring& side : sides)
+        if (side.stiffness > 0) springs.push_back(side);
+    }
+  }
+  return springs;
+}
+
+}  // namespace toile::mass_spring
