@@ -13,7 +13,13 @@ namespace toile {
 namespace {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-using Found = std::vector<std::pair<int, int>>;
+// CGAL sorts what it is given: pointers are cheaper to move than boxes.
+std::vector<const Box*> handles(const std::vector<Box>& boxes) {
+  std::vector<const Box*> list;
+  list.reserve(boxes.size());
+  for (const Box& box : boxes) list.push_back(&box);
+  return list;
+}
 
 template <class Corners>
 Box box_round(const Eigen::Matrix3Xd& x, const Corners& corners, double reach, int info) {
@@ -26,6 +32,66 @@ Box box_round(const Eigen::Matrix3Xd& x, const Corners& corners, double reach, i
   low.array() -= reach;
   high.array() += reach;
   return Box(low.data(), high.data(), info);
+}
+
+template <class One, class Other>
+bool boxes_near(const Eigen::Matrix3Xd& x, const One& one, const Other& other, double distance) {
+  for (int k = 0; k < 3; ++k) {
+    double low = x(k, one(0)), high = low, other_low = x(k, other(0)), other_high = other_low;
+    for (Eigen::Index i = 1; i < one.size(); ++i) {
+      low = std::min(low, x(k, one(i)));
+      high = std::max(high, x(k, one(i)));
+    }
+    for (Eigen::Index i = 1; i < other.size(); ++i) {
+      other_low = std::min(other_low, x(k, other(i)));
+      other_high = std::max(other_high, x(k, other(i)));
+    }
+    if (low > other_high + distance || other_low > high + distance) return false;
+  }
+  return true;
+}
+
+using List = std::vector<std::array<int, 2>>;
+
+// Vertex and triangle, without a common group, whose boxes grown by `reach` meet.
+List points_by_faces(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, double reach) {
+  std::vector<Box> points, faces;
+  points.reserve(mesh.corners.size());
+  faces.reserve(static_cast<std::size_t>(mesh.triangles.cols()));
+  for (const int v : mesh.corners) points.push_back(box_round(x, Eigen::Matrix<int, 1, 1>(v), reach, v));
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    faces.push_back(box_round(x, mesh.triangles.col(t), reach, static_cast<int>(t)));
+  auto point_list = handles(points);
+  auto face_list = handles(faces);
+  List found;
+  const auto group = [&](int v) { return mesh.group[static_cast<std::size_t>(v)]; };
+  CGAL::box_intersection_d(point_list.begin(), point_list.end(), face_list.begin(), face_list.end(),
+                           [&](const Box* point, const Box* face) {
+                             const int g = group(point->info());
+                             const auto c = mesh.triangles.col(face->info());
+                             if (g == group(c(0)) || g == group(c(1)) || g == group(c(2))) return;
+                             found.push_back({point->info(), face->info()});
+                           });
+  return found;
+}
+
+List edges_by_edges(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, double reach) {
+  std::vector<Box> edges;
+  edges.reserve(static_cast<std::size_t>(mesh.edges.cols()));
+  for (Eigen::Index e = 0; e < mesh.edges.cols(); ++e)
+    edges.push_back(box_round(x, mesh.edges.col(e), reach, static_cast<int>(e)));
+  auto list = handles(edges);
+  List found;
+  const auto group = [&](int v) { return mesh.group[static_cast<std::size_t>(v)]; };
+  CGAL::box_self_intersection_d(list.begin(), list.end(), [&](const Box* one, const Box* other) {
+    const auto a = mesh.edges.col(one->info());
+    const auto b = mesh.edges.col(other->info());
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (group(a(i)) == group(b(j))) return;
+    found.push_back({std::min(one->info(), other->info()), std::max(one->info(), other->info())});
+  });
+  return found;
 }
 
 NearPair pair_of(const Eigen::Matrix3Xd& x, std::array<int, 4> vertex, int first, const ClosestPoints& closest) {
@@ -56,35 +122,37 @@ CollisionMesh collision_mesh(const Eigen::Matrix3Xi& triangles, int vertex_count
   return mesh;
 }
 
-std::vector<NearPair> near_pairs(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, double distance) {
-  const auto group = [&](int v) { return mesh.group[static_cast<std::size_t>(v)]; };
-  std::vector<NearPair> pairs;
-  std::vector<Box> points, faces, edges;
-  for (const int v : mesh.corners) points.push_back(box_round(x, Eigen::Matrix<int, 1, 1>(v), distance / 2, v));
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    faces.push_back(box_round(x, mesh.triangles.col(t), distance / 2, static_cast<int>(t)));
-  for (Eigen::Index e = 0; e < mesh.edges.cols(); ++e)
-    edges.push_back(box_round(x, mesh.edges.col(e), distance / 2, static_cast<int>(e)));
+NearPairSearch::NearPairSearch(CollisionMesh mesh, double distance, double margin)
+    : mesh_(std::move(mesh)), distance_(distance), margin_(margin) {}
 
-  CGAL::box_intersection_d(points.begin(), points.end(), faces.begin(), faces.end(), [&](const Box& point, const Box& face) {
-    const int v = point.info();
-    const Eigen::Vector3i c = mesh.triangles.col(face.info());
-    if (group(v) == group(c(0)) || group(v) == group(c(1)) || group(v) == group(c(2))) return;
+std::vector<NearPair> NearPairSearch::find(const Eigen::Matrix3Xd& x) {
+  if (listed_at_.cols() != x.cols() || (x - listed_at_).colwise().squaredNorm().maxCoeff() > margin_ * margin_) {
+    listed_at_ = x;
+    const double reach = distance_ / 2 + margin_;
+    point_face_ = points_by_faces(x, mesh_, reach);
+    edge_edge_ = edges_by_edges(x, mesh_, reach);
+  }
+  std::vector<NearPair> pairs;
+  for (const auto& [v, t] : point_face_) {
+    const Eigen::Vector3i c = mesh_.triangles.col(t);
+    if (!boxes_near(x, Eigen::Matrix<int, 1, 1>(v), c, distance_)) continue;
     const auto closest = closest_to_triangle(x.col(v), x.col(c(0)), x.col(c(1)), x.col(c(2)));
-    if (closest.distance < distance) pairs.push_back(pair_of(x, {v, c(0), c(1), c(2)}, 1, closest));
-  });
-  CGAL::box_self_intersection_d(edges.begin(), edges.end(), [&](const Box& one, const Box& other) {
-    const Eigen::Vector2i a = mesh.edges.col(std::min(one.info(), other.info()));
-    const Eigen::Vector2i b = mesh.edges.col(std::max(one.info(), other.info()));
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        if (group(a(i)) == group(b(j))) return;
+    if (closest.distance < distance_) pairs.push_back(pair_of(x, {v, c(0), c(1), c(2)}, 1, closest));
+  }
+  for (const auto& [e, f] : edge_edge_) {
+    const Eigen::Vector2i a = mesh_.edges.col(e);
+    const Eigen::Vector2i b = mesh_.edges.col(f);
+    if (!boxes_near(x, a, b, distance_)) continue;
     const auto closest = closest_of_segments(x.col(a(0)), x.col(a(1)), x.col(b(0)), x.col(b(1)));
-    if (closest.distance < distance) pairs.push_back(pair_of(x, {a(0), a(1), b(0), b(1)}, 2, closest));
-  });
+    if (closest.distance < distance_) pairs.push_back(pair_of(x, {a(0), a(1), b(0), b(1)}, 2, closest));
+  }
   std::sort(pairs.begin(), pairs.end(),
             [](const NearPair& a, const NearPair& b) { return std::tie(a.first, a.vertex) < std::tie(b.first, b.vertex); });
   return pairs;
+}
+
+std::vector<NearPair> near_pairs(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, double distance) {
+  return NearPairSearch(mesh, distance, 0).find(x);
 }
 
 }  // namespace toile

@@ -30,6 +30,21 @@ struct NearPair {
   double distance = 0;                               // m
 };
 
+// Finds near pairs again and again while a cloth moves: what is within `distance` + 2 `margin` is listed once and looked
+// through until something has moved by more than `margin`. The same pairs as near_pairs gives.
+class NearPairSearch {
+ public:
+  NearPairSearch(CollisionMesh mesh, double distance, double margin);
+  std::vector<NearPair> find(const Eigen::Matrix3Xd& positions);
+  double distance() const { return distance_; }
+
+ private:
+  CollisionMesh mesh_;
+  double distance_, margin_;
+  Eigen::Matrix3Xd listed_at_;
+  std::vector<std::array<int, 2>> point_face_, edge_edge_;
+};
+
 // All pairs nearer than `distance` (m) that have no group in common, in the order of their vertices.
 std::vector<NearPair> near_pairs(const Eigen::Matrix3Xd& positions, const CollisionMesh& mesh, double distance);
 

@@ -13,6 +13,15 @@ constexpr int slides = 4;            // projections onto the planes before the m
 
 Truncation::Truncation(Eigen::Matrix3Xd positions, const CollisionMesh& mesh, double reach)
     : start_(std::move(positions)), longest_(move_share * reach), pairs_(near_pairs(start_, mesh, reach)) {
+  make_planes();
+}
+
+Truncation::Truncation(Eigen::Matrix3Xd positions, NearPairSearch& search)
+    : start_(std::move(positions)), longest_(move_share * search.distance()), pairs_(search.find(start_)) {
+  make_planes();
+}
+
+void Truncation::make_planes() {
   begin_.assign(static_cast<std::size_t>(start_.cols()) + 1, 0);
   for (const NearPair& pair : pairs_)
     for (const int v : pair.vertex) ++begin_[static_cast<std::size_t>(v) + 1];
@@ -65,14 +74,14 @@ Eigen::Vector3d Truncation::allowed(Eigen::Index v, const Eigen::Vector3d& from,
   return from + std::clamp((root - half) / square, 0.0, 1.0) * b;
 }
 
-bool Truncation::advance(Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const {
-  bool clipped = false;
+double Truncation::advance(Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const {
+  double behind = 0;
   for (Eigen::Index v = 0; v < from.cols(); ++v) {
     if (from.col(v) == to.col(v)) continue;
     from.col(v) = allowed(v, from.col(v), to.col(v));
-    clipped = clipped || (from.col(v) - to.col(v)).squaredNorm() > 1e-18;
+    behind = std::max(behind, (from.col(v) - to.col(v)).squaredNorm());
   }
-  return clipped;
+  return std::sqrt(behind);
 }
 
 }  // namespace toile

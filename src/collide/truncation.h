@@ -14,14 +14,16 @@ class Truncation {
   // `positions` have no intersections; pairs up to `reach` (m) are parted by planes, everything else by not moving farther than
   // .45 of it.
   Truncation(Eigen::Matrix3Xd positions, const CollisionMesh& mesh, double reach);
+  Truncation(Eigen::Matrix3Xd positions, NearPairSearch& search);
 
   // Moves `from` towards `to` as far as is allowed, along the planes where they are in the way. `from` is what the constructor
-  // or this function gave. True when some vertex did not get to `to`.
-  bool advance(Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const;
+  // or this function gave. How far the vertex that fell most behind is from `to`, m; 0 when all got there.
+  double advance(Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const;
 
   const std::vector<NearPair>& pairs() const { return pairs_; }
 
  private:
+  void make_planes();
   struct Plane {  // normal . x >= offset
     Eigen::Vector3d normal;
     double offset;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,8 +16,12 @@ constexpr double time_step = 1.0 / 120;  // s
 constexpr double speed_kept = 0.92;      // per step
 constexpr double longest_move = 5e-3;    // m per step
 constexpr double compression_share = 0.6;
-constexpr double reach = 8e-3;    // m, of the search for cloth that is near to cloth
+constexpr double longest_reach = 12e-3;  // m, of the search for cloth that is near to cloth
+constexpr double reach_share =
+    0.65;                         // of the mean edge, at most: farther, every triangle is near to its neighbours' neighbours
+constexpr double margin = 12e-3;  // m, moved before the search begins afresh
 constexpr int most_searches = 3;  // per step
+constexpr double far_behind = 0.3e-3;  // m; what stays behind by more is searched for anew at once, by less in the next step
 
 void hold_length(Eigen::Matrix3Xd& x, const Tie& tie, double stretch_share, double squash_share) {
   const Eigen::Vector3d apart = x.col(tie.b) - x.col(tie.a);
@@ -47,13 +52,52 @@ void pull_stitches(const LoosePanels& cloth, const std::vector<double>& start, d
   }
 }
 
-void push_out(const Body& body, double offset, Eigen::Matrix3Xd& x) {
-  for (Eigen::Index v = 0; v < x.cols(); ++v) {
-    if (body.distance.distance(x.col(v)) >= offset) continue;
-    const DistanceSample sample = body.distance.sample(x.col(v));
-    const double steepness = sample.gradient.squaredNorm();
-    if (steepness > 1e-6) x.col(v) += std::min(offset - sample.distance, 0.02) / steepness * sample.gradient;
+// Where cloth can meet the body in this step: vertices, and edges and triangles whose middles are held out as well, because
+// flat faces bridge hollows.
+struct NearBody {
+  std::vector<int> vertices;
+  std::vector<std::array<int, 2>> edges;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+NearBody near_body(const Body& body, const LoosePanels& cloth, const Eigen::Matrix3Xd& x) {
+  NearBody near;
+  std::vector<char> is_near(static_cast<std::size_t>(x.cols()), 0);
+  for (Eigen::Index v = 0; v < x.cols(); ++v)
+    if (body.distance.distance(x.col(v)) < 4 * longest_move) {
+      near.vertices.push_back(static_cast<int>(v));
+      is_near[static_cast<std::size_t>(v)] = 1;
+    }
+  const auto all_near = [&](const auto& corners) {
+    return std::all_of(corners.begin(), corners.end(), [&](int v) { return is_near[static_cast<std::size_t>(v)] != 0; });
+  };
+  for (const Tie& edge : cloth.edges)
+    if (const std::array<int, 2> ends{edge.a, edge.b}; all_near(ends)) near.edges.push_back(ends);
+  for (Eigen::Index t = 0; t < cloth.triangles.cols(); ++t) {
+    const std::array<int, 3> corners{cloth.triangles(0, t), cloth.triangles(1, t), cloth.triangles(2, t)};
+    if (all_near(corners)) near.triangles.push_back(corners);
   }
+  return near;
+}
+
+// Moves all `corners` alike until their middle is `offset` outside.
+template <class Corners>
+void push_middle_out(const Body& body, double offset, const Corners& corners, Eigen::Matrix3Xd& x) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int v : corners) middle += x.col(v) / static_cast<double>(corners.size());
+  if (body.distance.distance(middle) >= offset) return;
+  const DistanceSample sample = body.distance.sample(middle);
+  const double steepness = sample.gradient.squaredNorm();
+  if (steepness <= 1e-6) return;
+  const Eigen::Vector3d out = std::min(offset - sample.distance, 0.02) / steepness * sample.gradient;
+  for (const int v : corners) x.col(v) += out;
+}
+
+void push_out(const Body& body, double offset, const NearBody& near, bool middles, Eigen::Matrix3Xd& x) {
+  for (const int v : near.vertices) push_middle_out(body, offset, std::array<int, 1>{v}, x);
+  if (!middles) return;
+  for (const auto& ends : near.edges) push_middle_out(body, offset, ends, x);
+  for (const auto& corners : near.triangles) push_middle_out(body, offset, corners, x);
 }
 
 // Keeps two layers `thickness` apart along the normal they had when they were found.
@@ -77,23 +121,31 @@ void part_layers(const std::vector<NearPair>& pairs, double thickness, Eigen::Ma
 // Moves a cloth without letting it pass through itself; looks for near pairs anew when the last ones are in the way.
 class Mover {
  public:
-  explicit Mover(const LoosePanels& cloth)
-      : mesh_(collision_mesh(cloth.triangles, static_cast<int>(cloth.positions.cols()), cloth.garment_vertex)) {}
+  explicit Mover(const LoosePanels& cloth) : search_(search_of(cloth)) {}
 
   void move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& to) {
     for (int search = 0; search <= most_searches; ++search) {
-      if (!near_ || search > 0) near_.emplace(x, mesh_, reach);
-      if (!near_->advance(x, to)) return;
+      if (search > 0) near_.emplace(x, search_);
+      behind_ = near_->advance(x, to);
+      if (behind_ < far_behind) return;
     }
   }
   const std::vector<NearPair>& pairs(const Eigen::Matrix3Xd& x) {
-    if (!near_) near_.emplace(x, mesh_, reach);
+    if (!near_ || behind_ > 0) near_.emplace(x, search_);
     return near_->pairs();
   }
 
  private:
-  CollisionMesh mesh_;
+  static NearPairSearch search_of(const LoosePanels& cloth) {
+    double sum = 0;
+    for (const Tie& edge : cloth.edges) sum += edge.length;
+    const double reach = std::min(longest_reach, reach_share * sum / static_cast<double>(cloth.edges.size()));
+    return {collision_mesh(cloth.triangles, static_cast<int>(cloth.positions.cols()), cloth.garment_vertex), reach, margin};
+  }
+
+  NearPairSearch search_;
   std::optional<Truncation> near_;
+  double behind_ = 0;
 };
 
 double widest(const std::vector<double>& gaps) { return gaps.empty() ? 0 : *std::max_element(gaps.begin(), gaps.end()); }
@@ -161,12 +213,13 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
     const double open = 1 - t * t * (3 - 2 * t);
     const Eigen::Matrix3Xd before = x;
     const auto& pairs = mover.pairs(x);
+    const NearBody near = near_body(body, cloth, x);
     Eigen::Matrix3Xd to = x + time_step * velocity;
     for (int sweep = 0; sweep < options.sweeps; ++sweep) {
       for (const Tie& edge : cloth.edges) hold_length(to, edge, 1, compression_share);
       for (const Tie& bend : cloth.bends) hold_length(to, bend, options.bending_share, options.bending_share);
       part_layers(pairs, options.thickness, to);
-      push_out(body, options.body_offset, to);
+      push_out(body, options.body_offset, near, sweep % 4 == 3, to);
       pull_stitches(cloth, start, open, to);
     }
     for (Eigen::Index v = 0; v < x.cols(); ++v) {

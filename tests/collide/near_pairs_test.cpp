@@ -45,6 +45,21 @@ TEST(NearPairs, AreThoseThatBruteForceFinds) {
   EXPECT_EQ(keys(near_pairs(x, mesh, distance)), expected);
 }
 
+TEST(NearPairs, ASearchOfAMovingClothFindsTheSame) {
+  Sheet cloud = scattered(60, .3, 4);
+  const CollisionMesh mesh = collision_mesh(cloud.triangles, static_cast<int>(cloud.positions.cols()));
+  NearPairSearch search(mesh, .05, .02);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> push(-.006, .006);
+  for (int step = 0; step < 20; ++step) {
+    const auto found = search.find(cloud.positions);
+    const auto anew = near_pairs(cloud.positions, mesh, .05);
+    ASSERT_EQ(keys(found), keys(anew)) << step;
+    for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found[i].vertex, anew[i].vertex);
+    for (Eigen::Index i = 0; i < cloud.positions.size(); ++i) cloud.positions(i) += push(random);
+  }
+}
+
 TEST(NearPairs, AFlatSheetIsNotNearToItself) {
   const Sheet one = sheet(6, .02, 0);
   EXPECT_TRUE(near_pairs(one.positions, collision_mesh(one.triangles, 49), .008).empty());
