@@ -14,8 +14,7 @@ constexpr double floor = -1e-3;         // m, deeper the push alone does not get
 constexpr double deepest_push = 10e-3;  // m, longest move out of the body in one step
 
 Eigen::Vector3d place(const ContactSample& sample, const Eigen::Matrix3Xd& x) {
-  if (sample.vertex[0] == sample.vertex[1]) return x.col(sample.vertex[0]);
-  return (x.col(sample.vertex[0]) + x.col(sample.vertex[1]) + x.col(sample.vertex[2])) / 3;
+  return (x.col(sample.vertex[0]) + x.col(sample.vertex[1])) / 2;
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ void BodyContact::update(double longest_move, Eigen::Matrix3Xd& x, Eigen::Matrix
     if (distance < floor && steepness > 1e-6) {
       const double out = std::min((floor - distance) / std::sqrt(steepness), deepest_push);
       const Eigen::Vector3d move = out / std::sqrt(steepness) * gradient;
-      for (std::size_t i = 0; i < (is_vertex ? 1u : 3u); ++i) x.col(sample.vertex[i]) += move;
+      for (std::size_t i = 0; i < (is_vertex ? 1u : 2u); ++i) x.col(sample.vertex[i]) += move;
       moved_out = std::max(moved_out, out);
       distance = std::min(floor, distance + out * std::sqrt(steepness));
     }
@@ -79,8 +78,8 @@ void BodyContact::update(double longest_move, Eigen::Matrix3Xd& x, Eigen::Matrix
       stiffness(sample.vertex[0]) += stiff;
     } else {
       for (const int v : sample.vertex) {
-        push.col(v) += force / 3;
-        stiffness(v) += stiff / 3;
+        push.col(v) += force / 2;
+        stiffness(v) += stiff / 2;
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "drape/fem/bending.h"
+#include "geometry/topology.h"
 
 namespace toile::mass_spring {
 namespace {
@@ -54,12 +55,17 @@ Cloth make_cloth(const GarmentMesh& garment, const Fabric& fabric, const Body& b
   const auto shapes = rest_triangles(garment);
   const Eigen::VectorXd layers = triangle_layers(garment);
   const Eigen::VectorXd areas = vertex_areas(garment);
-  for (int v = 0; v < garment.vertex_count; ++v) cloth.samples.push_back({{v, v, v}, areas(v) / 4});
+  for (int v = 0; v < garment.vertex_count; ++v) cloth.samples.push_back({{v, v}, areas(v) / 4});
   for (Eigen::Index t = 0; t < garment.triangles.cols(); ++t) {
     const auto corner = garment.triangles.col(t);
     const double area = std::abs(shapes[static_cast<std::size_t>(t)].determinant()) / 2;
     for (int i = 0; i < 3; ++i) cloth.mass(corner(i)) += fabric.area_density * layers(t) * area / 3;
-    cloth.samples.push_back({{corner(0), corner(1), corner(2)}, 0.75 * area});
+  }
+  for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
+    double area = 0;
+    for (const int t : edge.triangle)
+      if (t >= 0) area += std::abs(shapes[static_cast<std::size_t>(t)].determinant()) / 2 / 4;
+    cloth.samples.push_back({edge.vertex, area});
   }
   return cloth;
 }
@@ -73,7 +79,7 @@ double energy(const Cloth& cloth, const Eigen::Matrix3Xd& x) {
   for (Eigen::Index v = 0; v < x.cols(); ++v)
     sum += x.col(v).dot(bending_pull(cloth.bending, x, static_cast<std::size_t>(v))) / 2 + gravity * cloth.mass(v) * x(1, v);
   for (const ContactSample& sample : cloth.samples) {
-    const Eigen::Vector3d at = (x.col(sample.vertex[0]) + x.col(sample.vertex[1]) + x.col(sample.vertex[2])) / 3;
+    const Eigen::Vector3d at = (x.col(sample.vertex[0]) + x.col(sample.vertex[1])) / 2;
     sum += fem::normal_energy(cloth.contact, sample.area, cloth.body->distance.distance(at));
   }
   return sum;

@@ -3,6 +3,7 @@
 // fem (drape/fem/contact.h), so that both simulators lie equally close to the body.
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "body/body.h"
@@ -22,9 +23,10 @@ struct BendingRows {
   std::vector<double> row_sum;  // of absolute values
 };
 
-// A place where cloth feels the body: a vertex (three times itself) or the middle of a triangle.
+// A place where cloth feels the body: a vertex (both the same) or the middle of an edge, which sags deepest. With a quarter of
+// the cloth at the vertices and the rest on the edges a quadratic pressure is summed exactly.
 struct ContactSample {
-  std::array<int, 3> vertex{};
+  std::array<int, 2> vertex{};
   double area = 0;  // m^2
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double courant = 0.5;           // share of the stable step
 constexpr double longest_step = 0.25e-3;  // m, of a vertex in one step
-constexpr double limit_share = 1.5;       // of the fabric's limit, which no spring may pass in one step
+constexpr double limit_share = 3;         // of the fabric's limit, which no spring may pass in one step
 constexpr int steps_between_weighings = 10;
 constexpr int steps_between_looks = 50;
 

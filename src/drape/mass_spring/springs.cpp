@@ -10,7 +10,7 @@
 namespace toile::mass_spring {
 namespace {
 
-constexpr double steepest = 5;  // times as stiff, at most, beyond the limit
+constexpr double steepest = 12;  // times as stiff, at most, beyond the limit
 constexpr double crumple_strain = 0.02;
 constexpr double crumple_width = 0.02;
 constexpr double crumpled_share = 0.15;
