@@ -2,9 +2,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "collide/intersections.h"
 #include "drape/limb_panels.h"
@@ -15,6 +17,8 @@
 namespace toile {
 namespace {
 
+// m above the start with the fewest blocked stitches: cloth that caught on a foot or an arm passes it from elsewhere.
+constexpr std::array<double, 3> attempts{0, 0.06, 0.12};
 constexpr double gathered = 1.35;  // length ratio of a seam from which the longer side is gathers, not ease
 
 double most_gathered(const Pattern& pattern) {
@@ -123,17 +127,14 @@ std::vector<std::string> sleeves(const Pattern& pattern, const GarmentMesh& garm
 }
 
 void check_worn(const Pattern& pattern, const GarmentMesh& garment, const Body& body, Dressed& dressed) {
-  if (limb_chains(body.form).empty()) return;  // a body without limbs, or nobody said where they are
   dressed.openings = openings(garment, dressed.positions, body.form);
   const Report report = check_openings(dressed.openings, garment, sleeves(pattern, garment, body));
   dressed.links_ok = report.ok();
   dressed.report.append(report);
 }
 
-}  // namespace
-
-Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& body, const DressOptions& options) {
-  const Start start = start_positions(pattern, garment, body);
+Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh& garment, const Body& body,
+                  const DressOptions& options) {
   LoosePanels cloth = loose_panels(garment, start.placed);
   SewOptions sewing{.shrinking_steps = options.shrinking_steps,
                     .holding_steps = options.holding_steps,
@@ -155,6 +156,27 @@ Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& bo
   check_intersections(garment, dressed);
   check_worn(pattern, garment, body, dressed);
   return dressed;
+}
+
+// Fewest wrong openings, then open seams, then intersections.
+auto worth(const Dressed& dressed) {
+  const auto wrong = std::count_if(dressed.report.findings.begin(), dressed.report.findings.end(), [](const Finding& finding) {
+    return finding.code == "drape.linked-wrong" || finding.code == "drape.not-around-body";
+  });
+  return std::make_tuple(wrong, dressed.open_seams.size(), dressed.self_intersections);
+}
+
+}  // namespace
+
+Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& body, const DressOptions& options) {
+  Dressed best;
+  for (const double higher : attempts) {
+    const Start start = start_positions(pattern, garment, body, higher);
+    Dressed dressed = sewn_from(start, pattern, garment, body, options);
+    if (higher == attempts.front() || worth(dressed) < worth(best)) best = std::move(dressed);
+    if (best.report.ok()) break;
+  }
+  return best;
 }
 
 }  // namespace toile

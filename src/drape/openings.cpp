@@ -39,7 +39,15 @@ std::vector<LimbChain> limb_chains(const Mannequin& form) {
   const LimbAxis* trunk = find_axis(axes, "trunk");
   const LimbAxis* left = find_axis(axes, "leg.L");
   const LimbAxis* right = find_axis(axes, "leg.R");
-  if (!trunk || !left || !right) return chains;
+  if (!trunk) return chains;
+  if (!left || !right) {
+    // A stand without limbs: what goes round it holds its upper and its lower end alike.
+    LimbChain upper{"head", {(trunk->points.front() + trunk->points.back()) / 2, trunk->points.front()}};
+    LimbChain lower{"feet", {upper.points.front(), trunk->points.back()}};
+    go_on(upper.points, Eigen::Vector3d::UnitY());
+    go_on(lower.points, -Eigen::Vector3d::UnitY());
+    return {upper, lower};
+  }
   // The spine from the pelvis up: the trunk's axis down to the hip joints, turned round.
   const Eigen::Vector3d pelvis = (left->points.front() + right->points.front()) / 2;
   std::vector<Eigen::Vector3d> spine{pelvis};
@@ -101,6 +109,12 @@ std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd
 Report check_openings(const std::vector<Opening>& openings, const GarmentMesh& garment,
                       const std::vector<std::string>& sleeve_of) {
   Report report;
+  if (!openings.empty() &&
+      std::all_of(openings.begin(), openings.end(), [](const Opening& opening) { return opening.limbs.empty(); })) {
+    report.error("drape.not-around-body", "garment", "no opening of the sewn garment goes round the body",
+                 "Check where the pieces are placed and which edges are left open", Fault::not_converged);
+    return report;
+  }
   const char* remedy = "Look at the picture; check where the pieces along it are placed and that the pattern is sewn as meant";
   for (const Opening& opening : openings) {
     const auto wrong = [&](const std::string& text) {

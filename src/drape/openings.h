@@ -11,7 +11,8 @@
 
 namespace toile {
 
-// "head", "hand.L", "hand.R", "foot.L", "foot.R", each from the pelvis outwards along the bones and beyond the body.
+// "head", "hand.L", "hand.R", "foot.L", "foot.R", each from the pelvis outwards along the bones and beyond the body; of a
+// body without limbs "head" and "feet", from the middle of its trunk up and down.
 struct LimbChain {
   std::string name;
   std::vector<Eigen::Vector3d> points;
@@ -29,8 +30,9 @@ struct Opening {
 
 std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Mannequin& form);
 
-// Errors "drape.linked-wrong", naming the opening: nobody's limb goes through it; the head or a hand share it with a foot; it
-// is sewn to a sleeve and holds no hand of that side. `sleeve_of`: by panel, "hand.L", "hand.R" or nothing.
+// Errors "drape.not-around-body" when no opening holds anything, else "drape.linked-wrong", naming the opening: nobody's limb
+// goes through it; the head or a hand share it with a foot; it is sewn to a sleeve and holds no hand of that side. `sleeve_of`:
+// by panel, "hand.L", "hand.R" or nothing.
 Report check_openings(const std::vector<Opening>& openings, const GarmentMesh& garment,
                       const std::vector<std::string>& sleeve_of);
 

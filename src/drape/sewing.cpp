@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "collide/truncation.h"
@@ -12,6 +13,7 @@
 namespace toile {
 namespace {
 
+constexpr int patience = 30;             // steps in which a gap that is closing gets narrower
 constexpr double time_step = 1.0 / 120;  // s
 constexpr double speed_kept = 0.92;      // per step
 constexpr double longest_move = 5e-3;    // m per step
@@ -190,6 +192,7 @@ std::vector<double> stitch_gaps(const LoosePanels& cloth) {
   std::vector<double> gaps;
   for (const auto& group : cloth.stitched) {
     double gap = 0;
+    double gap_before = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < group.size(); ++i)
       for (std::size_t j = i + 1; j < group.size(); ++j)
         gap = std::max(gap, (cloth.positions.col(group[i]) - cloth.positions.col(group[j])).norm());
@@ -207,8 +210,13 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
   Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd::Zero(3, x.cols());
   const int steps = options.shrinking_steps + options.holding_steps;
   double gap = 0;
+  double gap_before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < steps + options.longest_hold; ++step) {
     if (step >= steps && gap <= options.closed_gap / 4) break;
+    if (step >= steps && (step - steps) % patience == 0) {
+      if (gap > 0.7 * gap_before) break;  // stuck
+      gap_before = gap;
+    }
     const double t = std::min(1.0, static_cast<double>(step + 1) / options.shrinking_steps);
     const double open = 1 - t * t * (3 - 2 * t);
     const Eigen::Matrix3Xd before = x;

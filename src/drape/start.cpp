@@ -72,7 +72,7 @@ void part_touching(const GarmentMesh& garment, const std::vector<Eigen::Vector3d
 
 }  // namespace
 
-Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body) {
+Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body, double higher) {
   Start start;
   start.placed = place_panels(pattern, garment, body);
   const std::size_t count = garment.panels.size();
@@ -118,6 +118,7 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
     fewest = blocked;
     start.lift = lift;
   }
+  start.lift += higher;
   start.placed = raised(start.lift);
   part_touching(garment, outside, start.placed);
   const LoosePanels cloth = loose_panels(garment, start.placed);

@@ -19,6 +19,7 @@ struct Start {
   int intersections = 0;                 // pairs of triangles
 };
 
-Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body);
+// `higher`: m, added to the lift that is found: for another attempt when sewing got stuck.
+Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body, double higher = 0);
 
 }  // namespace toile
