@@ -217,6 +217,10 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
       if (gap > 0.7 * gap_before) break;  // stuck
       gap_before = gap;
     }
+    if (step >= steps && (step - steps) % patience == 0) {
+      if (gap > 0.7 * gap_before) break;  // stuck
+      gap_before = gap;
+    }
     const double t = std::min(1.0, static_cast<double>(step + 1) / options.shrinking_steps);
     const double open = 1 - t * t * (3 - 2 * t);
     const Eigen::Matrix3Xd before = x;
