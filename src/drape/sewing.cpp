@@ -192,7 +192,6 @@ std::vector<double> stitch_gaps(const LoosePanels& cloth) {
   std::vector<double> gaps;
   for (const auto& group : cloth.stitched) {
     double gap = 0;
-    double gap_before = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < group.size(); ++i)
       for (std::size_t j = i + 1; j < group.size(); ++j)
         gap = std::max(gap, (cloth.positions.col(group[i]) - cloth.positions.col(group[j])).norm());
@@ -213,10 +212,6 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
   double gap_before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < steps + options.longest_hold; ++step) {
     if (step >= steps && gap <= options.closed_gap / 4) break;
-    if (step >= steps && (step - steps) % patience == 0) {
-      if (gap > 0.7 * gap_before) break;  // stuck
-      gap_before = gap;
-    }
     if (step >= steps && (step - steps) % patience == 0) {
       if (gap > 0.7 * gap_before) break;  // stuck
       gap_before = gap;
