@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -19,7 +20,8 @@ namespace {
 
 // m above the start with the fewest blocked stitches: cloth that caught on a foot or an arm passes it from elsewhere.
 constexpr std::array<double, 3> attempts{0, 0.06, 0.12};
-constexpr double gathered = 1.35;  // length ratio of a seam from which the longer side is gathers, not ease
+constexpr double through_body = 0.01;  // m
+constexpr double gathered = 1.35;      // length ratio of a seam from which the longer side is gathers, not ease
 
 double most_gathered(const Pattern& pattern) {
   double most = 1;
@@ -105,6 +107,19 @@ void check_intersections(const GarmentMesh& garment, Dressed& dressed) {
         "Place the pieces farther apart, or use a smaller edge length", Fault::not_converged);
 }
 
+// A simulator moves out what is a little inside the body, not what was sewn together through it.
+void check_outside(const GarmentMesh& garment, const Body& body, Dressed& dressed) {
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    double deepest = 0;
+    for (Eigen::Index v = 0; v < garment.welded[p].size(); ++v)
+      deepest = std::max(deepest, -body.distance.distance(dressed.positions.col(garment.welded[p](v))));
+    if (deepest > through_body)
+      dressed.report.error("drape.through-body", "piece '" + garment.panels[p].name + "'",
+                           "lies up to " + in_mm(deepest) + " inside the body",
+                           "Check where it is placed: its seams can only meet inside the body", Fault::not_converged);
+  }
+}
+
 // By panel, the hand that must come out where the panel is left open.
 std::vector<std::string> sleeves(const Pattern& pattern, const GarmentMesh& garment, const Body& body) {
   std::vector<std::string> hand(garment.panels.size());
@@ -154,6 +169,7 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
   dressed.positions.resize(3, garment.vertex_count);
   weld(cloth, dressed.positions);
   check_intersections(garment, dressed);
+  check_outside(garment, body, dressed);
   check_worn(pattern, garment, body, dressed);
   return dressed;
 }
@@ -169,14 +185,19 @@ auto worth(const Dressed& dressed) {
 }  // namespace
 
 Dressed dress(const Pattern& pattern, const GarmentMesh& garment, const Body& body, const DressOptions& options) {
-  Dressed best;
+  std::optional<Dressed> best;
+  std::optional<Start> crossed;  // sewing does not untangle what is tangled from the start
   for (const double higher : attempts) {
-    const Start start = start_positions(pattern, garment, body, higher);
+    Start start = start_positions(pattern, garment, body, higher);
+    if (start.intersections > 0) {
+      if (!crossed || start.intersections < crossed->intersections) crossed = std::move(start);
+      continue;
+    }
     Dressed dressed = sewn_from(start, pattern, garment, body, options);
-    if (higher == attempts.front() || worth(dressed) < worth(best)) best = std::move(dressed);
-    if (best.report.ok()) break;
+    if (!best || worth(dressed) < worth(*best)) best = std::move(dressed);
+    if (best->report.ok()) break;
   }
-  return best;
+  return best ? *best : sewn_from(*crossed, pattern, garment, body, options);
 }
 
 }  // namespace toile

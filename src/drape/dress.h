@@ -27,7 +27,7 @@ struct Dressed {
   Eigen::Matrix3Xd positions;  // by garment vertex, seams welded
   double seam_gap = 0;         // m, widest seam just before it was welded
   Report report;               // errors: "drape.seam-open" naming the seam, "drape.not-around-body", "drape.linked-wrong",
-                               // "drape.self-intersects" naming the panels
+                               // "drape.self-intersects" and "drape.through-body" naming the panels
   int self_intersections = 0;  // pairs of triangles that pass through each other, seams welded
   bool links_ok = true;        // every opening holds a limb that may go through it
   std::vector<Opening> openings;

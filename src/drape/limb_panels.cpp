@@ -70,6 +70,19 @@ bool clear_of(const Body& body, const Eigen::Matrix3Xd& x) {
 
 double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 
+// Panels face one of two opposite ways, however crookedly they were placed: two halves of a sleeve that do not would overlap.
+void face_to_face(std::vector<LaidOut>& laid) {
+  double x = 0;
+  double y = 0;
+  for (const LaidOut& panel : laid) {
+    x += std::cos(2 * panel.towards);
+    y += std::sin(2 * panel.towards);
+  }
+  const double way = std::atan2(y, x) / 2;
+  for (LaidOut& panel : laid)
+    panel.towards = angle_between(panel.towards, way) < std::numbers::pi / 2 ? way : way + std::numbers::pi;
+}
+
 // Panels that face the same way stand one after the other along the arm.
 void spread_along(std::vector<LaidOut>& laid) {
   std::vector<std::size_t> order(laid.size());
@@ -120,6 +133,7 @@ std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector
   const ArmFrame frame = frame_of(arm);
   std::vector<LaidOut> laid;
   for (const FlatPanel& panel : panels) laid.push_back(lay_out(panel, frame));
+  face_to_face(laid);
   spread_along(laid);
   // A panel with another across the arm from it has half of the circle, one that is alone all of it.
   double radius = least_radius * body.form.height / 1.68;
