@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,7 @@ constexpr double steepest = 12;  // times as stiff, at most, beyond the limit
 constexpr double crumple_strain = 0.02;
 constexpr double crumple_width = 0.02;
 constexpr double crumpled_share = 0.15;
+constexpr int fitting_rounds = 1;     // more make neighbours uneven and the drape no better
 constexpr double least_share = 0.05;  // of the mean, that every spring keeps
 
 using Harmonics = Eigen::Matrix<double, 5, 1>;
@@ -76,29 +78,47 @@ std::vector<RestTriangle> rest_edges(const GarmentMesh& garment) {
   return triangles;
 }
 
-// By vertex: the combination of harmonics with which the springs of the triangles around have the wanted tensor; where these
-// run in too few directions to have it, the nearest to that of an even sheet.
-std::vector<Harmonics> fitted_weights(const GarmentMesh& garment, const std::vector<RestTriangle>& triangles,
-                                      const NetworkStiffness& wanted) {
+using Weights = std::vector<std::array<double, 3>>;  // by triangle and its edge, N/m
+
+// Weights with which the springs of the triangles around every vertex have the wanted tensor; where they run in too few
+// directions to have it, the nearest to those of an even sheet. Found by correcting the share of each vertex.
+Weights fitted_weights(const GarmentMesh& garment, const std::vector<RestTriangle>& triangles, const NetworkStiffness& wanted) {
+  const Harmonics even = even_weights(wanted), goal = moments(wanted);
+  const double least = least_share * even(0);
   const auto vertices = static_cast<std::size_t>(garment.vertex_count);
-  std::vector<Eigen::Matrix<double, 5, 5>> sums(vertices, Eigen::Matrix<double, 5, 5>::Zero());
+  const auto corner = [&](std::size_t t, std::size_t i) {
+    return static_cast<std::size_t>(garment.triangles(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(t)));
+  };
+  std::vector<Eigen::Matrix<double, 5, 5>> response(vertices, Eigen::Matrix<double, 5, 5>::Zero());
   std::vector<double> areas(vertices, 0.0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int corner = 0; corner < 3; ++corner) {
-      const auto v = static_cast<std::size_t>(garment.triangles(corner, static_cast<Eigen::Index>(t)));
-      areas[v] += triangles[t].area;
+    for (std::size_t i = 0; i < 3; ++i) {
+      areas[corner(t, i)] += triangles[t].area;
       for (const double angle : triangles[t].angle)
-        sums[v] += triangles[t].area * harmonics(angle) * harmonics(angle).transpose();
+        response[corner(t, i)] += triangles[t].area * harmonics(angle) * harmonics(angle).transpose();
     }
-  const Harmonics even = even_weights(wanted), goal = moments(wanted);
-  std::vector<Harmonics> weights(vertices, even);
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (areas[v] <= 0) continue;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>> modes(sums[v] / areas[v]);
-    const Harmonics missing = goal - sums[v] / areas[v] * even;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>> modes(response[v] / std::max(areas[v], 1e-12));
+    response[v].setZero();  // from here on its inverse, in the directions there are
     for (int i = 0; i < 5; ++i)
       if (modes.eigenvalues()(i) > 0.05 * modes.eigenvalues()(4))
-        weights[v] += modes.eigenvectors().col(i).dot(missing) / modes.eigenvalues()(i) * modes.eigenvectors().col(i);
+        response[v] += modes.eigenvectors().col(i) * modes.eigenvectors().col(i).transpose() / modes.eigenvalues()(i);
+  }
+  std::vector<Harmonics> share(vertices, even);
+  Weights weights(triangles.size());
+  for (int round = 0; round <= fitting_rounds; ++round) {
+    std::vector<Harmonics> sums(vertices, Harmonics::Zero());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      Harmonics sum = Harmonics::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Harmonics h = harmonics(triangles[t].angle[k]);
+        weights[t][k] = std::max(least, (share[corner(t, k)] + share[corner(t, k + 1)]).dot(h) / 2);
+        sum += weights[t][k] * h;
+      }
+      for (std::size_t i = 0; i < 3; ++i) sums[corner(t, i)] += triangles[t].area * sum;
+    }
+    for (std::size_t v = 0; v < vertices; ++v)
+      if (areas[v] > 0) share[v] += response[v] * (goal - sums[v] / areas[v]);
   }
   return weights;
 }
@@ -141,12 +161,10 @@ NetworkStiffness network_stiffness(const Fabric& fabric) {
 std::vector<Spring> edge_springs(const GarmentMesh& garment, const Fabric& fabric) {
   const std::vector<RestTriangle> triangles = rest_edges(garment);
   const NetworkStiffness wanted = network_stiffness(fabric);
-  const std::vector<Harmonics> weights = fitted_weights(garment, triangles, wanted);
-  const double least = least_share * even_weights(wanted)(0);
+  const Weights weights = fitted_weights(garment, triangles, wanted);
   const Eigen::VectorXd layers = triangle_layers(garment);
   std::vector<Spring> springs;
   for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
-    const auto u = static_cast<std::size_t>(edge.vertex[0]), v = static_cast<std::size_t>(edge.vertex[1]);
     std::array<Spring, 2> sides;
     for (std::size_t s = 0; s < 2; ++s) {
       const int t = edge.triangle[s];
@@ -156,7 +174,7 @@ std::vector<Spring> edge_springs(const GarmentMesh& garment, const Fabric& fabri
              garment.triangles(static_cast<Eigen::Index>((k + 1) % 3), t) == edge.opposite[s])
         ++k;
       const RestTriangle& triangle = triangles[static_cast<std::size_t>(t)];
-      const double w = std::max(least, (weights[u] + weights[v]).dot(harmonics(triangle.angle[k])) / 2);
+      const double w = weights[static_cast<std::size_t>(t)][k];
       const double length = triangle.length[k];
       sides[s] = {edge.vertex[0], edge.vertex[1], length, w * layers(t) * triangle.area / (length * length)};
     }

@@ -1,6 +1,7 @@
 #pragma once
 // Edge springs (Bridson et al. 2003) whose network has the stiffness of the fabric: k = w (A1 + A2) / L^2 as for an even sheet,
-// with w by direction in the panel's own rest frame, so that around every vertex the network pulls as warp and weft do.
+// with w by direction in the panel's own rest frame, so that around every vertex the network pulls as warp and weft do, as
+// nearly as springs in the few directions of its edges can.
 
 #include <Eigen/Core>
 #include <vector>
