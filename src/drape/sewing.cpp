@@ -226,7 +226,7 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
       for (const Tie& edge : cloth.edges) hold_length(to, edge, 1, compression_share);
       for (const Tie& bend : cloth.bends) hold_length(to, bend, options.bending_share, options.bending_share);
       part_layers(pairs, options.thickness, to);
-      push_out(body, options.body_offset, near, sweep % 4 == 3, to);
+      push_out(body, options.body_offset, near, (options.sweeps - sweep) % 4 == 1, to);
       pull_stitches(cloth, start, open, to);
     }
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
