@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collide/intersections.h"
 #include "geometry/topology.h"
 
 namespace toile {
@@ -54,6 +55,7 @@ void measure_guards(const DrapeRequest& request, Drape& drape) {
   if (!drape.positions.allFinite()) throw std::runtime_error(drape.simulator + ": gave back positions that are not finite");
   drape.max_penetration = max_penetration(request.garment, drape.positions, request.body);
   drape.inverted_triangles = inverted_triangles(request.garment, drape.positions);
+  drape.self_intersections = static_cast<int>(intersecting_triangles(drape.positions, request.garment.triangles).size());
   double drop = 0;
   int held = 0;
   for (Eigen::Index v = 0; v < request.start.cols(); ++v)

@@ -130,7 +130,7 @@ TEST_F(SheetOnBall, NoSmallMoveAwayFromEquilibriumLowersTheEnergy) {
   const fem::Model model = fem::make_model(cap_, isotropic, body_);
   const fem::Equilibrium found = fem::find_equilibrium(model, cap_start_, {.tolerance = 2e-5});
   ASSERT_TRUE(found.settled) << found.residual;
-  fem::Friction friction = fem::start_friction(model, cap_start_);
+  fem::Frozen friction = fem::frozen_at(model, cap_start_);
   for (int i = 0; i < 60; ++i) fem::update_friction(model, found.x, 1, friction);
   const double least = fem::energy(model, friction, found.x);
   std::srand(5);
@@ -164,7 +164,7 @@ TEST(HangingStrip, GetsLongerByItsOwnWeightAsTheClosedFormSays) {
   x.row(1).array() += 3;
   x.row(2).setZero();
   // Newton's method on the model's own energy with the top row held.
-  const fem::Friction nothing = fem::start_friction(model, x);
+  const fem::Frozen nothing = fem::frozen_at(model, x);
   const auto assembly = fem::make_assembly(model);
   std::vector<int> held;
   for (int v = 0; v < strip.vertex_count; ++v)

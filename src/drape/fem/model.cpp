@@ -61,18 +61,19 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
       model.triangles.push_back(element);
     }
   model.contact_edges = contact_edges(model.triangles);
+  model.cloth = collision_mesh(garment.triangles, static_cast<int>(garment.vertex_count));
   return model;
 }
 
-Friction start_friction(const Model& model, const Eigen::Matrix3Xd& start) {
-  Friction friction;
-  friction.vertex.resize(static_cast<std::size_t>(start.cols()));
-  friction.touched.assign(static_cast<std::size_t>(start.cols()), 0);
-  update_friction(model, start, 1, friction);
-  return friction;
+Frozen frozen_at(const Model& model, const Eigen::Matrix3Xd& start) {
+  Frozen frozen;
+  frozen.vertex.resize(static_cast<std::size_t>(start.cols()));
+  frozen.touched.assign(static_cast<std::size_t>(start.cols()), 0);
+  update_friction(model, start, 1, frozen);
+  return frozen;
 }
 
-double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Friction& friction) {
+double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Frozen& frozen) {
   Eigen::VectorXd forces(x.cols());
   for (Eigen::Index v = 0; v < x.cols(); ++v)
     forces(v) = normal_force(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
@@ -82,16 +83,16 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
   double rest = 0;
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     const auto i = static_cast<std::size_t>(v);
-    FrictionState& state = friction.vertex[i];
+    FrictionState& state = frozen.vertex[i];
     const double force = forces(v);
     if (force <= 0 && state.force <= 0) {
-      friction.touched[i] = 0;
+      frozen.touched[i] = 0;
       continue;
     }
     const DistanceSample sample = model.body->distance.sample(x.col(v));
-    if (!friction.touched[i]) {
+    if (!frozen.touched[i]) {
       state.anchor = x.col(v);
-      friction.touched[i] = 1;
+      frozen.touched[i] = 1;
     }
     state.normal = sample.gradient.normalized();
     state.force += share * (force - state.force);
@@ -101,19 +102,30 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
   return rest;
 }
 
-double energy(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x) {
+double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
   double sum = 0;
   for (const MembraneElement& element : model.triangles) sum += membrane_energy(element, model.law, corners(element, x));
   for (const Hinge& hinge : model.hinges) sum += hinge.stiffness / 2 * hinge_vector(hinge, x).squaredNorm();
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     sum -= gravity * model.mass(v) * model.weight_direction.dot(x.col(v));
     sum += normal_energy(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
-    sum += friction_energy(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+    sum += friction_energy(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
   }
   for_edges_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, const ContactEdge& edge) {
     sum += normal_energy(model.contact, edge.area, distance);
   });
-  return sum;
+  return sum + self_contact_energy(frozen.self, x);
+}
+
+SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x) {
+  SelfContact contact;
+  for (const NearPair& pair : search.find(x)) {
+    if (pair.distance <= 0 || pair.distance >= contact.law.reach) continue;
+    const auto area = [&](std::size_t i) { return model.contact_area(pair.vertex[i]); };
+    contact.pairs.push_back(pair);
+    contact.area.push_back(pair.first == 1 ? area(0) : (area(0) + area(1) + area(2) + area(3)) / 4);
+  }
+  return contact;
 }
 
 Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x) {
@@ -141,13 +153,13 @@ Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matr
   return g;
 }
 
-void add_friction(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient) {
+void add_friction(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient) {
   for (Eigen::Index v = 0; v < x.cols(); ++v)
-    gradient.col(v) += friction_gradient(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+    gradient.col(v) += friction_gradient(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
 }
 
-std::unique_ptr<HessianAssembly> make_assembly(const Model& model) {
-  std::vector<std::pair<int, int>> pairs;
+std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
+  std::vector<std::pair<int, int>> pairs = std::move(coupled);
   for (const MembraneElement& e : model.triangles)
     for (std::size_t i = 0; i < 3; ++i) pairs.emplace_back(e.vertex[i], e.vertex[(i + 1) % 3]);
   for (const Hinge& h : model.hinges)
@@ -163,7 +175,7 @@ std::unique_ptr<HessianAssembly> make_assembly(const Model& model) {
   return assembly;
 }
 
-void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3Xd& x, Curvature curvature,
+void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
               HessianAssembly& assembly) {
   BlockMatrix& matrix = assembly.matrix;
   matrix.set_values(assembly.constant);
@@ -183,7 +195,7 @@ void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3
     return block;
   };
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
-    Eigen::Matrix3d block = friction_hessian(model.contact, friction.vertex[static_cast<std::size_t>(v)], x.col(v));
+    Eigen::Matrix3d block = friction_hessian(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
     const double distance = model.body->distance.distance(x.col(v));
     if (distance < model.contact.reach) block += contact_block(x.col(v), distance, model.contact_area(v));
     matrix.add(static_cast<int>(v), static_cast<int>(v), block);
@@ -195,6 +207,7 @@ void assemble(const Model& model, const Friction& friction, const Eigen::Matrix3
     matrix.add(b, b, block);
     matrix.add(b, a, block);
   });
+  add_self_contact(frozen.self, x, matrix);
 }
 
 double weight(const Model& model) { return gravity * model.mass.norm(); }

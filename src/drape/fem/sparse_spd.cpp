@@ -98,6 +98,12 @@ BlockMatrix::BlockMatrix(int vertices, std::vector<std::pair<int, int>> pairs) :
 
 BlockMatrix::~BlockMatrix() = default;
 
+bool BlockMatrix::has(int i, int j) const {
+  const auto column = static_cast<std::size_t>(std::min(i, j));
+  const auto begin = state_->row.begin();
+  return i == j || std::binary_search(begin + state_->first[column], begin + state_->first[column + 1], std::max(i, j));
+}
+
 void BlockMatrix::set_zero() { std::fill(state_->values.begin(), state_->values.end(), 0.0); }
 
 void BlockMatrix::add(int i, int j, const Eigen::Matrix3d& block) {

@@ -17,6 +17,7 @@ class BlockMatrix {
   BlockMatrix(const BlockMatrix&) = delete;
   BlockMatrix& operator=(const BlockMatrix&) = delete;
 
+  bool has(int i, int j) const;
   void set_zero();
   // Adds the block of rows `i`, columns `j`; of a symmetric pair give one of (i, j), (j, i). The pair must be in the pattern.
   void add(int i, int j, const Eigen::Matrix3d& block);
