@@ -46,6 +46,15 @@ DrapeSteps drape_bar(Progress& progress) {
   };
 }
 
+DrapeControl watched(Progress& progress) {
+  DrapeControl control;
+  control.progress = drape_bar(progress);
+  control.dressing = [&progress](int step, int steps) {
+    progress.update(0, "sewing " + std::to_string(100 * step / std::max(1, steps)) + " %");
+  };
+  return control;
+}
+
 Mannequin body_of(const InputFiles& files, Job& job) {
   if (!files.is_chart) return take(read_body(files.body, files.skeleton), job);
   return build_mannequin(take(read_size_chart_row(files.body, job.recipe.body.size), job));
@@ -157,7 +166,7 @@ void load(Job& job, Progress& progress) {
 void work(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("drape");
-  job.worn = wear(job.pattern, job.scene, recipe.drape.edge_length, recipe.drape.tolerance, drape_bar(progress));
+  job.worn = wear(job.pattern, job.scene, recipe.drape.edge_length, recipe.drape.tolerance, watched(progress));
   add(job, job.worn.report);
   char words[128];
   std::snprintf(words, sizeof words, "%d triangles, residual %.1e in %d steps, %.1f s", triangle_count(job.worn.garment),
@@ -176,7 +185,7 @@ void work(Job& job, Progress& progress) {
   options.progress = [&](const AdjustStep& step) {
     progress.end(in_mm(step.hausdorff) + " (" + percent_of_height(step.hausdorff, job) + "), mean " + in_mm(step.mean, 2));
   };
-  job.adjustment = adjust_pattern(job.worn.pattern, job.target, job.scene, options, drape_bar(progress));
+  job.adjustment = adjust_pattern(job.worn.pattern, job.target, job.scene, options, watched(progress));
   job.flattened = job.adjustment.steps.front();
   progress.end(in_words(job.adjustment.stop) + ", best is step " + std::to_string(job.adjustment.best));
 
@@ -192,8 +201,7 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
   progress.begin("verify");
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
   job.reread = in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read);
-  job.verified =
-      verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, drape_bar(progress));
+  job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, watched(progress));
   add(job, job.verified.report);
   judge(job);
   progress.end(in_mm(job.verified.step.hausdorff) + " (" + percent_of_height(job.verified.step.hausdorff, job) + ")");

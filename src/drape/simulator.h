@@ -28,6 +28,7 @@ struct DrapeRequest {
   double tolerance = 1e-3;                // on |unbalanced force| / |weight|
   std::optional<double> time_limit = {};  // s; then the best state so far, not settled
   std::function<void(const DrapeProgress&)> progress = {};
+  std::function<bool()> stop = {};  // asked between steps; once true, the best state so far, as at the time limit
 };
 
 // One entry of the list of simulators. The same request gives the same bytes.

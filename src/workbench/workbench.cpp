@@ -51,6 +51,20 @@ void mark_hems(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, co
   }
 }
 
+Worn sewn(const Pattern& pattern, double edge_length) {
+  Worn worn;
+  worn.pattern = pattern;
+  worn.garment = sew(pattern, triangulate(pattern, {.edge_length = edge_length}));
+  return worn;
+}
+
+void settle(Worn& worn, const Scene& scene, const Eigen::Matrix3Xd& start, double tolerance, const DrapeControl& control) {
+  if (!has_hem(worn.pattern)) mark_hems(worn.garment, start, scene.body, worn.pattern);
+  worn.drape = phi(worn.pattern, scene, control)(worn.garment, start, tolerance);
+  worn.report.append(drape_findings(worn.drape, tolerance, "source drape"));
+  worn.report.append(stretch_findings(worn.garment, worn.drape.positions, scene.fabric, scene.body.form, "source drape"));
+}
+
 }  // namespace
 
 Report drape_findings(const Drape& drape, double tolerance, const std::string& what) {
@@ -66,34 +80,52 @@ Report drape_findings(const Drape& drape, double tolerance, const std::string& w
   if (drape.inverted_triangles > 0)
     report.warn("drape.inverted", what, std::to_string(drape.inverted_triangles) + " triangles are turned over",
                 "Look at the picture: the cloth is crumpled there");
+  if (drape.self_intersections > 0)
+    report.error("drape.self-intersects", what,
+                 "the cloth passes through itself in " + std::to_string(drape.self_intersections) + " pairs of triangles",
+                 "Look at the picture; a smaller edge length or another placement of the pieces may come out clear",
+                 Fault::checks_failed);
   if (drape.slipped > slip_limit)
     report.warn("drape.slipped", what, "the part that holds the garment dropped by " + in_mm(drape.slipped),
                 "The garment is too wide to stay where its pieces were placed");
   return report;
 }
 
-Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeSteps& progress) {
-  return [&pattern, &scene, progress](const GarmentMesh& garment, const Eigen::Matrix3Xd& start, double tolerance) {
+Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeControl& control) {
+  return [&pattern, &scene, control](const GarmentMesh& garment, const Eigen::Matrix3Xd& start, double tolerance) {
     return scene.simulator.drape({.garment = with_hems(pattern, garment, scene.hem),
                                   .start = start,
                                   .body = scene.body,
                                   .fabric = scene.fabric,
                                   .tolerance = tolerance,
-                                  .progress = progress});
+                                  .time_limit = control.time_limit,
+                                  .progress = control.progress,
+                                  .stop = control.stop});
   };
 }
 
-Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeSteps& progress) {
-  Worn worn;
-  worn.pattern = pattern;
-  worn.garment = sew(pattern, triangulate(pattern, {.edge_length = edge_length}));
-  Dressed dressed = dress(pattern, worn.garment, scene.body);
+Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeControl& control) {
+  Worn worn = sewn(pattern, edge_length);
+  DressOptions options;
+  options.progress = control.dressing;
+  Dressed dressed = dress(pattern, worn.garment, scene.body, options);
   worn.seam_gap = dressed.seam_gap;
+  worn.links_ok = dressed.links_ok;
+  worn.openings = std::move(dressed.openings);
   worn.report = std::move(dressed.report);
-  if (!has_hem(pattern)) mark_hems(worn.garment, dressed.positions, scene.body, worn.pattern);
-  worn.drape = phi(worn.pattern, scene, progress)(worn.garment, dressed.positions, tolerance);
-  worn.report.append(drape_findings(worn.drape, tolerance, "source drape"));
-  worn.report.append(stretch_findings(worn.garment, worn.drape.positions, scene.fabric, scene.body.form, "source drape"));
+  settle(worn, scene, dressed.positions, tolerance, control);
+  return worn;
+}
+
+Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const Eigen::Matrix3Xd& start,
+               const DrapeControl& control) {
+  Worn worn = sewn(pattern, edge_length);
+  if (start.cols() != worn.garment.vertex_count)
+    throw BadInput({"drape.other-garment", Severity::error, "start",
+                    "the earlier drape has " + std::to_string(start.cols()) + " vertices, this garment has " +
+                        std::to_string(worn.garment.vertex_count),
+                    "Go on with the pattern and edge length that it was made with"});
+  settle(worn, scene, start, tolerance, control);
   return worn;
 }
 
@@ -118,18 +150,18 @@ Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits
 }
 
 Adjustment adjust_pattern(const Pattern& pattern, const Target& target, const Scene& scene, const AdjustOptions& options,
-                          const DrapeSteps& progress) {
+                          const DrapeControl& control) {
   const MakeCuttable make_cuttable = [&](const RestShape& rest) {
     return rest_on_outlines(redraw(pattern, target.garment, rest).pattern, target.garment, rest);
   };
-  return adjust(target, phi(pattern, scene, progress), make_cuttable, options);
+  return adjust(target, phi(pattern, scene, control), make_cuttable, options);
 }
 
 Verified verify(const Pattern& pattern, const Target& target, const RestShape& like, const Scene& scene, double tolerance,
-                const DrapeSteps& progress) {
+                const DrapeControl& control) {
   Verified verified;
   verified.rest = rest_on_outlines(pattern, target.garment, like);
-  verified.drape = phi(pattern, scene, progress)(with_rest(target.garment, verified.rest), target.positions, tolerance);
+  verified.drape = phi(pattern, scene, control)(with_rest(target.garment, verified.rest), target.positions, tolerance);
   verified.step = measure(target, verified.rest, verified.drape);
   verified.report = drape_findings(verified.drape, tolerance, "re-drape");
   verified.report.append(stretch_findings(with_rest(target.garment, verified.rest), verified.drape.positions, scene.fabric,

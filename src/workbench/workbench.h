@@ -2,11 +2,14 @@
 // The stages composed, each with its named result. No algorithm here.
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "adjust/adjust.h"
 #include "body/body.h"
 #include "draft/redraw.h"
+#include "drape/openings.h"
 #include "drape/simulator.h"
 #include "garment/fabric.h"
 #include "garment/pattern.h"
@@ -25,28 +28,43 @@ struct Scene {
 
 using DrapeSteps = std::function<void(const DrapeProgress&)>;
 
+// How a drape is watched and cut short.
+struct DrapeControl {
+  DrapeSteps progress = {};
+  std::optional<double> time_limit = {};  // s, of each drape; then the best state so far, not settled
+  std::function<bool()> stop = {};        // asked between steps; once true, likewise
+  std::function<void(int step, int steps)> dressing = {};
+};
+
 // A pattern sewn and hanging on the body.
 struct Worn {
   Pattern pattern;  // as given; where it marked no hem, the edges of the lowest opening are marked
   GarmentMesh garment;
   Drape drape;
-  double seam_gap = 0;  // m, widest seam just before it was welded
-  Report report;        // errors of the guards: "drape.not-settled", "drape.penetrates", ...; warnings
+  double seam_gap = 0;            // m, widest seam just before it was welded
+  bool links_ok = true;           // every opening holds a limb that may go through it
+  std::vector<Opening> openings;  // empty when the drape went on from an earlier one
+  Report report;                  // errors of the guards: "drape.not-settled", "drape.penetrates", ...; warnings
 };
 
 // Triangulates, sews, dresses and settles. Throws BadInput when the pattern cannot be meshed or placed.
-Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeSteps& progress = {});
+Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeControl& control = {});
+
+// The same from an earlier drape of the same pattern and edge length (3 x garment vertices) instead of dressing. Throws
+// BadInput("drape.other-garment") when it has another number of vertices.
+Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const Eigen::Matrix3Xd& start,
+               const DrapeControl& control = {});
 
 // Every edit of the recipe in turn, on the drape. Throws BadInput with the recipe's place.
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits);
 
 // Phi with everything but the rest shape and the start fixed: hems of `pattern` turned up, then the scene's simulator. Keeps
 // references to pattern and scene.
-Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeSteps& progress = {});
+Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeControl& control = {});
 
 // Pattern adjustment whose every iterate can be cut.
 Adjustment adjust_pattern(const Pattern& pattern, const Target& target, const Scene& scene, const AdjustOptions& options,
-                          const DrapeSteps& progress = {});
+                          const DrapeControl& control = {});
 
 // The redrawn pattern draped anew from the target: the figure that counts.
 struct Verified {
@@ -56,7 +74,7 @@ struct Verified {
   Report report;
 };
 Verified verify(const Pattern& pattern, const Target& target, const RestShape& like, const Scene& scene, double tolerance,
-                const DrapeSteps& progress = {});
+                const DrapeControl& control = {});
 
 // Findings about a drape that a pattern maker must not overlook; `what` names it ("source drape").
 Report drape_findings(const Drape& drape, double tolerance, const std::string& what);

@@ -19,6 +19,7 @@ Drape run(const DrapeRequest& request, Curvature curvature, const char* name) {
   options.tolerance = request.tolerance;
   options.curvature = curvature;
   options.time_limit = request.time_limit;
+  options.stop = request.stop;
   if (request.progress)
     options.progress = [&](int step, double residual) { request.progress({step, residual, request.tolerance}); };
   Equilibrium found = find_equilibrium(model, request.start, options);

@@ -90,6 +90,7 @@ class Pattern {
 Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, const NewtonOptions& options) {
   const auto began = std::chrono::steady_clock::now();
   const auto out_of_time = [&] {
+    if (options.stop && options.stop()) return true;
     return options.time_limit &&
            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > *options.time_limit;
   };

@@ -19,6 +19,7 @@ struct NewtonOptions {
   double least_force_share = 0.3;         // under-relaxation of the lagged normal forces, while far; 1 does not converge
   double most_force_share = 0.7;          // near equilibrium, where it sets the rate of convergence
   std::optional<double> time_limit = {};  // s
+  std::function<bool()> stop = {};
   std::function<void(int step, double residual)> progress = {};
 };
 

@@ -17,6 +17,7 @@ Drape drape(const DrapeRequest& request) {
   RelaxationOptions options;
   options.tolerance = request.tolerance;
   options.time_limit = request.time_limit;
+  options.stop = request.stop;
   if (request.progress)
     options.progress = [&](int step, double residual) { request.progress({step, residual, request.tolerance}); };
   Rest rest = relax(cloth, request.start, options);

@@ -65,6 +65,7 @@ void rub(const Cloth& cloth, double dt, Moving& now) {
 Rest relax(const Cloth& cloth, const Eigen::Matrix3Xd& start, const RelaxationOptions& options) {
   const auto began = std::chrono::steady_clock::now();
   const auto out_of_time = [&] {
+    if (options.stop && options.stop()) return true;
     return options.time_limit &&
            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() > *options.time_limit;
   };

@@ -17,6 +17,7 @@ struct RelaxationOptions {
   double still = 0.1e-3;                  // m, no vertex may have moved further
   double longest = 40;                    // s of motion
   std::optional<double> time_limit = {};  // s of computing
+  std::function<bool()> stop = {};
   std::function<void(int step, double residual)> progress = {};
 };
 
