@@ -8,6 +8,7 @@
 
 #include "garment/cut_sheet.h"
 #include "garment/fabric.h"
+#include "garment/garment_map.h"
 #include "garment/mannequin.h"
 #include "garment/mesh.h"
 #include "garment/pattern.h"
@@ -50,6 +51,12 @@ void write_svg(const std::filesystem::path& file, const CutSheet& sheet);
 // A drape: v in metres, vt = rest shape in metres, one group per panel.
 void write_obj(const std::filesystem::path& file, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions);
 void write_obj(const std::filesystem::path& file, const Mannequin& mannequin);
+// Body and drape as binary glTF 2.0 (metres, Y up, faces +Z): a node "body" and one below "garment" for each panel by its name,
+// smooth normals across seams, both sides shown. With `map`, its colours on the vertices (triangles of their own where it is a
+// map of triangles), its values in the map's unit in the attribute _VALUE, and title, unit and ends of the scale in the extras
+// of the node "garment".
+void write_glb(const std::filesystem::path& file, const Mannequin& body, const GarmentMesh& garment,
+               const Eigen::Matrix3Xd& positions, const ColouredMap* map = nullptr);
 // Bones, landmarks and measures of a body: NAME.skeleton.json beside NAME.obj.
 void write_skeleton(const std::filesystem::path& file, const Mannequin& mannequin);
 
