@@ -77,6 +77,8 @@ Json drape(const RunSummary& summary) {
   put(to, "seam_gap_mm", summary.seam_gap * mm_per_m, "drape");
   put(to, "slipped_mm", summary.drape.slipped * mm_per_m, "drape");
   to["inverted_triangles"] = summary.drape.inverted_triangles;
+  to["self_intersections"] = summary.drape.self_intersections;
+  to["links_ok"] = summary.links_ok;
   put(to, "seconds", summary.drape.seconds, "drape");
   return to;
 }
@@ -96,6 +98,19 @@ Json adjusted(const RunSummary& summary) {
   put(to, "max_penetration_mm", from.max_penetration * mm_per_m, "adjusted");
   put(to, "seconds", from.seconds, "adjusted");
   return to;
+}
+
+Json girths(const std::vector<SummaryGirth>& from) {
+  Json rows = Json::array();
+  for (const SummaryGirth& girth : from) {
+    Json row = {{"name", girth.name}};
+    put(row, "height_mm", girth.height * mm_per_m, "girths");
+    put(row, "garment_mm", girth.garment * mm_per_m, "girths");
+    put(row, "body_mm", girth.body * mm_per_m, "girths");
+    put(row, "ease_mm", girth.ease * mm_per_m, "girths");
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 Json finding(const Finding& from) {
@@ -122,12 +137,15 @@ std::string summary_json(const RunSummary& summary) {
       {"name", summary.garment.name}, {"triangles", summary.garment.triangles}, {"panels", summary.garment.panels}};
   root["fabric"] = summary.fabric;
   root["drape"] = drape(summary);
-  root["flattened"] = Json::object();
-  put_distance(root["flattened"], summary.flattened, summary.mannequin.height, "flattened");
-  root["adjusted"] = adjusted(summary);
-  root["outlines"] = Json::object();
-  put(root["outlines"], "max_deviation_mm", summary.outlines.max_deviation * mm_per_m, "outlines");
-  put(root["outlines"], "symmetry_mm", summary.outlines.symmetry * mm_per_m, "outlines");
+  if (!summary.girths.empty()) root["girths"] = girths(summary.girths);
+  if (!summary.only_draped) {
+    root["flattened"] = Json::object();
+    put_distance(root["flattened"], summary.flattened, summary.mannequin.height, "flattened");
+    root["adjusted"] = adjusted(summary);
+    root["outlines"] = Json::object();
+    put(root["outlines"], "max_deviation_mm", summary.outlines.max_deviation * mm_per_m, "outlines");
+    put(root["outlines"], "symmetry_mm", summary.outlines.symmetry * mm_per_m, "outlines");
+  }
   root["findings"] = Json::array();
   for (const Finding& found : summary.findings) root["findings"].push_back(finding(found));
   root["inputs"] = Json::object();

@@ -18,6 +18,11 @@ struct SummaryDistance {
   double stretch = 0;              // mean of S, Eq. 8
 };
 
+struct SummaryGirth {
+  std::string name;                                    // "bust"
+  double height = 0, garment = 0, body = 0, ease = 0;  // m
+};
+
 struct RunSummary {
   std::string version;  // of toile
   std::string recipe;
@@ -35,6 +40,9 @@ struct RunSummary {
   Drape drape;           // the source drape; positions are not written
   double tolerance = 0;  // asked of the drapes that are reported
   double seam_gap = 0;   // m, widest seam just before it was welded
+  bool links_ok = true;  // every limb goes through the opening it belongs to
+  std::vector<SummaryGirth> girths;
+  bool only_draped = false;  // by `toile drape`: flattened, adjusted and outlines are left out
   SummaryDistance flattened;
   struct {
     SummaryDistance distance;  // of the re-exported outlines, draped anew

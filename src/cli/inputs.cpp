@@ -29,7 +29,7 @@ std::vector<InputHash> hashes(const InputFiles& files) {
   const auto add = [&](const char* role, const std::filesystem::path& file) {
     inputs.push_back({role, file, sha256(value_or_throw(read_whole_file(file)))});
   };
-  add("recipe", files.recipe);
+  if (!files.recipe.empty()) add("recipe", files.recipe);
   add("pattern", files.pattern);
   if (files.seams) add("seams", *files.seams);
   add(files.is_chart ? "size chart" : "body", files.body);

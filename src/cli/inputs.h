@@ -12,7 +12,8 @@
 namespace toile {
 
 struct InputFiles {
-  std::filesystem::path recipe, pattern;
+  std::filesystem::path recipe;  // empty: the command line says it all
+  std::filesystem::path pattern;
   std::optional<std::filesystem::path> seams;
   std::filesystem::path body;  // an OBJ, or the size chart
   bool is_chart = false;

@@ -46,15 +46,6 @@ DrapeSteps drape_bar(Progress& progress) {
   };
 }
 
-DrapeControl watched(Progress& progress) {
-  DrapeControl control;
-  control.progress = drape_bar(progress);
-  control.dressing = [&progress](int step, int steps) {
-    progress.update(0, "sewing " + std::to_string(100 * step / std::max(1, steps)) + " %");
-  };
-  return control;
-}
-
 Mannequin body_of(const InputFiles& files, Job& job) {
   if (!files.is_chart) return take(read_body(files.body, files.skeleton), job);
   return build_mannequin(take(read_size_chart_row(files.body, job.recipe.body.size), job));
@@ -145,6 +136,15 @@ void judge(Job& job) {
 
 }  // namespace
 
+DrapeControl watched(Progress& progress) {
+  DrapeControl control;
+  control.progress = drape_bar(progress);
+  control.dressing = [&progress](int step, int steps) {
+    progress.update(0, "sewing " + std::to_string(100 * step / std::max(1, steps)) + " %");
+  };
+  return control;
+}
+
 void load(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("read");
@@ -163,15 +163,21 @@ void load(Job& job, Progress& progress) {
                " seams; body " + job.scene.body.form.name + "; " + job.scene.fabric.name);
 }
 
-void work(Job& job, Progress& progress) {
-  const Recipe& recipe = job.recipe;
+void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start) {
+  const auto& [simulator, edge_length, tolerance] = job.recipe.drape;
   progress.begin("drape");
-  job.worn = wear(job.pattern, job.scene, recipe.drape.edge_length, recipe.drape.tolerance, watched(progress));
+  job.worn = start ? wear_from(job.pattern, job.scene, edge_length, tolerance, *start, control)
+                   : wear(job.pattern, job.scene, edge_length, tolerance, control);
   add(job, job.worn.report);
   char words[128];
   std::snprintf(words, sizeof words, "%d triangles, residual %.1e in %d steps, %.1f s", triangle_count(job.worn.garment),
                 job.worn.drape.residual, job.worn.drape.steps, job.worn.drape.seconds);
   progress.end(words);
+}
+
+void work(Job& job, Progress& progress) {
+  const Recipe& recipe = job.recipe;
+  drape(job, progress, watched(progress));
 
   progress.begin("edit");
   job.target = edit(job.worn, job.scene, recipe.edits);

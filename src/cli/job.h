@@ -32,10 +32,15 @@ struct Job {
 
 // Reads what the recipe names. Throws BadInput.
 void load(Job& job, Progress& progress);
+// The source drape: dressed and settled, or settled from `start` (3 x garment vertices).
+void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start = nullptr);
 // Drape, edit, adjust, redraw.
 void work(Job& job, Progress& progress);
 // Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);
+
+// Steps of dressing and draping shown on `progress`.
+DrapeControl watched(Progress& progress);
 
 // What the exit code must say: the gravest of the findings.
 int exit_code(const Job& job);

@@ -3,6 +3,7 @@
 #include <exception>
 #include <string>
 
+#include "cli/drape_verb.h"
 #include "cli/exit_codes.h"
 #include "cli/run.h"
 #include "garment/report.h"
@@ -30,42 +31,103 @@ Written to the output folder:
                               metres; the drapes have the same vertices, vt is the rest shape in metres
   *.png                       pictures of the drapes and of the outlines)";
 
+constexpr const char* drape_help =
+    R"(Reads a pattern, sews it, dresses a body with it and lets it come to rest. The last line on standard output says how it
+hangs.
+
+Written to the output folder:
+  drape.obj, body.obj   metres; vt is the rest shape in metres, one group a panel
+  drape.png             front, side and back
+  summary.json          figures for programs
+Interrupted (Ctrl-C) or out of time, it writes how far it got; --go-on takes that up again.)";
+
+// What all verbs share.
+struct Common {
+  std::filesystem::path out;
+  bool force = false, quiet = false;
+  std::string progress = "auto";
+
+  void add_to(CLI::App* verb, const std::string& explained) {
+    verb->footer(explained + "\n\n" + footer);
+    verb->add_option("--out,-o", out, "folder for the results; made when missing")->required()->type_name("DIR");
+    verb->add_flag("--force,-f", force, "write into a folder that is not empty, replacing files of the same names");
+    verb->add_option(
+            "--progress", progress,
+            "progress on standard error: a bar on a terminal, else a line a stage (auto); one JSON object a line (json); none")
+        ->check(CLI::IsMember({"auto", "json", "none"}))
+        ->capture_default_str();
+    verb->add_flag("--quiet,-q", quiet, "the same as --progress none, and no notes or warnings");
+  }
+
+  template <class Options>
+  void give(Options& options) const {
+    options.out = out;
+    options.force = force;
+    options.quiet = quiet;
+    options.progress = quiet || progress == "none" ? ProgressStyle::none
+                       : progress == "json"        ? ProgressStyle::json
+                                                   : ProgressStyle::automatic;
+  }
+};
+
+CLI::App* add_run(CLI::App& app, RunOptions& options) {
+  CLI::App* run = app.add_subcommand("run", "the main job: a recipe from pattern to cut sheet");
+  run->add_option("recipe", options.recipe, "the recipe (TOML); see samples/gored_skirt/shorten.toml")
+      ->required()
+      ->type_name("RECIPE.toml");
+  return run;
+}
+
+CLI::App* add_drape(CLI::App& app, DrapeOptions& options) {
+  CLI::App* drape = app.add_subcommand("drape", "a pattern on a body, as it hangs");
+  drape->add_option("pattern", options.pattern, "AAMA DXF or GarmentCode JSON")->required()->type_name("PATTERN");
+  drape->add_option("--seams", options.seams, "what is sewn to what (default: NAME.seams.toml beside the pattern)")
+      ->type_name("FILE");
+  drape->add_option("--units", options.units, "of a pattern that does not say: mm, cm, m, in");
+  auto* size = drape->add_option("--size", options.size, "of the mannequin: a row of the size chart")->capture_default_str();
+  drape->add_option("--chart", options.chart, "size chart: templates/mannequins/NAME.csv")->capture_default_str();
+  auto* body = drape->add_option("--body", options.body, "a body of your own (OBJ, metres, Y up) instead of a size");
+  body->type_name("OBJ")->excludes(size);
+  drape->add_option("--skeleton", options.skeleton, "its bones (default: NAME.skeleton.json beside the body)")
+      ->type_name("JSON")
+      ->needs(body);
+  drape->add_option("--fabric", options.fabric, "of templates/fabrics, or a file")->capture_default_str();
+  drape->add_option("--simulator", options.simulator, "what drapes it")->capture_default_str();
+  drape->add_option("--edge-length", options.edge_length, "of the triangles")->capture_default_str();
+  drape->add_option("--tolerance", options.tolerance, "unbalanced force / weight at which it rests")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  drape->add_option("--time-limit", options.time_limit, "seconds to settle in; then the best state so far, exit code 11")
+      ->check(CLI::PositiveNumber);
+  drape->add_option("--go-on", options.go_on, "from the drape.obj of an earlier run of the same pattern and edge length")
+      ->type_name("OBJ");
+  return drape;
+}
+
 int main_program(int argc, char** argv) {
   CLI::App app("Toile: edit a garment in 3D, get back 2D patterns that drape into that shape", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
   app.require_subcommand(1);
   app.footer(footer);
 
-  RunOptions options;
-  CLI::App* run = app.add_subcommand("run", "the main job: a recipe from pattern to cut sheet");
-  run->description(run_help);
-  run->footer(footer);
-  run->add_option("recipe", options.recipe, "the recipe (TOML); see samples/gored_skirt/shorten.toml")
-      ->required()
-      ->type_name("RECIPE.toml");
-  run->add_option("--out,-o", options.out, "folder for the results; made when missing")->required()->type_name("DIR");
-  run->add_flag("--force,-f", options.force, "write into a folder that is not empty, replacing files of the same names");
-  std::string progress = "auto";
-  run->add_option(
-         "--progress", progress,
-         "progress on standard error: a bar on a terminal, else a line a stage (auto); one JSON object a line (json); none")
-      ->check(CLI::IsMember({"auto", "json", "none"}))
-      ->capture_default_str();
-  bool quiet = false;
-  run->add_flag("--quiet,-q", quiet, "the same as --progress none, and no notes or warnings");
+  RunOptions run_options;
+  DrapeOptions drape_options;
+  Common common;
+  CLI::App* run = add_run(app, run_options);
+  CLI::App* drape = add_drape(app, drape_options);
+  common.add_to(run, run_help);
+  common.add_to(drape, drape_help);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
-  options.quiet = quiet;
-  options.progress = quiet || progress == "none" ? ProgressStyle::none
-                     : progress == "json"        ? ProgressStyle::json
-                                                 : ProgressStyle::automatic;
+  common.give(run_options);
+  common.give(drape_options);
   interrupt_by_signals();
   try {
-    return run_recipe(options);
+    return *drape ? drape_pattern(drape_options) : run_recipe(run_options);
   } catch (const Interrupted&) {
     std::fputs("toile: interrupted; nothing is written\n", stderr);
     return exit_interrupted;

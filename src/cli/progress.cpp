@@ -18,17 +18,19 @@ void json_line(const nlohmann::ordered_json& event) {
   std::fflush(stderr);
 }
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t signalled = 0;
 
 void stop_if_interrupted() {
-  if (interrupted) throw Interrupted{};
+  if (signalled) throw Interrupted{};
 }
 
 }  // namespace
 
 void interrupt_by_signals() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, [](int) { interrupted = 1; });
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, [](int) { signalled = 1; });
 }
+
+bool interrupted() { return signalled != 0; }
 
 Progress::Progress(ProgressStyle style) : style_(style), terminal_(isatty(STDERR_FILENO) != 0) {
   if (style_ == ProgressStyle::automatic)

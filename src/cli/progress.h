@@ -10,6 +10,7 @@ enum class ProgressStyle { automatic, plain, json, none };
 // Thrown by Progress once SIGINT, SIGTERM or SIGHUP has come, so that what is half made is removed on the way out.
 struct Interrupted {};
 void interrupt_by_signals();
+bool interrupted();
 
 class Progress {
  public:
