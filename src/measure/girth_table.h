@@ -20,12 +20,14 @@ struct GirthPlace {
 
 struct GirthRow {
   std::string name;
-  double height = 0;     // m above the floor, where the plane meets the limb's middle
-  double garment = 0;    // m, taut tape round the innermost layer of the garment; 0 when not covered
-  double cloth = 0;      // m, the same section of the cloth laid flat, unstretched: what the pattern measures there
-  double body = 0;       // m, taut tape round the body
-  double ease = 0;       // m, garment - body; 0 when not covered
-  bool covered = false;  // the garment goes all round that limb there, and round nothing else
+  double height = 0;          // m above the floor, where the body is taped
+  double garment_height = 0;  // m, where the garment is: lower, or further out on an arm, by up to 6 cm where sleeves or legs
+                              // part from the rest only there, as a chest is measured below the armhole
+  double garment = 0;         // m, taut tape round the innermost layer of the garment; 0 when not covered
+  double cloth = 0;           // m, that section of the cloth laid flat, unstretched: what the pattern measures there
+  double body = 0;            // m, taut tape round the body
+  double ease = 0;            // m, garment - body; 0 when not covered
+  bool covered = false;       // the garment goes all round that limb there, and round no other
   bool operator==(const GirthRow&) const = default;
 };
 
