@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace toile::test {
+namespace {
+
+class DrapeVerb : public testing::Test {
+ protected:
+  // The sample skirt on a coarse mesh.
+  Ended drape(const std::string& out, std::vector<std::string> more = {}, const std::string& cue = {}) const {
+    const auto skirt = std::filesystem::path(TOILE_SOURCE_DIR) / "samples" / "gored_skirt" / "gored_skirt.dxf";
+    std::vector<std::string> arguments{"drape", skirt.string(), "--edge-length", "30 mm", "--out", (here_ / out).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments, cue);
+  }
+  nlohmann::json summary(const std::string& out) const {
+    return nlohmann::json::parse(contents(here_ / (out + "/summary.json")));
+  }
+
+  Workplace here_;
+};
+
+TEST_F(DrapeVerb, WritesWhatHangsAndSaysHow) {
+  const Ended ended = drape("out");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("settled"), std::string::npos) << ended.out;
+  const auto said = summary("out");
+  EXPECT_EQ(said["schema"], 1);
+  EXPECT_TRUE(said["drape"]["settled"]);
+  EXPECT_LE(said["drape"]["residual"].get<double>(), 1e-3);
+  EXPECT_EQ(said["drape"]["self_intersections"], 0);
+  EXPECT_EQ(said["drape"]["inverted_triangles"], 0);
+  EXPECT_TRUE(said["drape"]["links_ok"]);
+  EXPECT_LE(said["drape"]["max_penetration_mm"].get<double>(), .5);
+  EXPECT_LE(said["drape"]["slipped_mm"].get<double>(), 30);
+  EXPECT_FALSE(said.contains("adjusted"));
+  EXPECT_EQ(said["inputs"].size(), 4u);  // pattern, seams, size chart, fabric
+  for (const auto& file : said["files"])
+    EXPECT_TRUE(std::filesystem::is_regular_file(here_ / ("out/" + file.get<std::string>())));
+}
+
+TEST_F(DrapeVerb, TheSameBytesTwice) {
+  ASSERT_EQ(drape("once").status, 0);
+  ASSERT_EQ(drape("again").status, 0);
+  EXPECT_EQ(contents(here_ / "once/drape.obj"), contents(here_ / "again/drape.obj"));
+}
+
+TEST_F(DrapeVerb, OutOfTimeLeavesTheBestStateToGoOnFrom) {
+  const Ended cut_short = drape("early", {"--time-limit", "0.000001", "--quiet"});
+  EXPECT_EQ(cut_short.status, 11) << cut_short.err;
+  EXPECT_NE(cut_short.err.find("--go-on"), std::string::npos);
+  EXPECT_FALSE(summary("early")["drape"]["settled"]);
+  const Ended later = drape("late", {"--go-on", (here_ / "early/drape.obj").string()});
+  EXPECT_EQ(later.status, 0) << later.err;
+  EXPECT_TRUE(summary("late")["drape"]["settled"]);
+}
+
+TEST_F(DrapeVerb, InterruptedLeavesTheBestStateToo) {
+  const Ended cut_short = drape("early", {"--progress", "json", "--tolerance", "1e-12"}, "residual");
+  EXPECT_EQ(cut_short.status, 75) << cut_short.err;
+  EXPECT_FALSE(summary("early")["drape"]["settled"]);
+  EXPECT_TRUE(std::filesystem::is_regular_file(here_ / "early/drape.obj"));
+}
+
+TEST_F(DrapeVerb, InterruptedBeforeThatLeavesNothing) {
+  const Ended cut_short = drape("early", {"--progress", "json"}, "sewing");
+  EXPECT_EQ(cut_short.status, 75) << cut_short.err;
+  EXPECT_TRUE(here_.everything().empty());
+}
+
+TEST_F(DrapeVerb, RefusesADrapeOfAnotherGarment) {
+  here_.write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Ended refused = drape("out", {"--go-on", (here_ / "other.obj").string()});
+  EXPECT_EQ(refused.status, 65);
+  EXPECT_NE(refused.err.find("drape.other-garment"), std::string::npos) << refused.err;
+  EXPECT_EQ(here_.everything().size(), 1u);
+}
+
+TEST_F(DrapeVerb, RefusesALengthWithoutItsUnit) {
+  const Ended refused = drape("out", {"--edge-length", "30"});
+  EXPECT_EQ(refused.status, 64) << "given twice";
+  const Ended bare = run_program({"drape", "x.json", "--edge-length", "30", "--out", (here_ / "out").string()});
+  EXPECT_EQ(bare.status, 65);
+  EXPECT_NE(bare.err.find("--edge-length: error[option.no-length]"), std::string::npos) << bare.err;
+}
+
+}  // namespace
+}  // namespace toile::test
