@@ -78,23 +78,5 @@ TEST_F(FabricFile, ComplaintsNameTheLineAndTheUnits) {
   EXPECT_EQ(read_fabric("/nonexistent/cloth.toml").report.findings.at(0).fault, Fault::missing);
 }
 
-TEST(FabricTemplates, AreReadableAndOrderedAsAHandWouldOrderThem) {
-  const std::filesystem::path folder = std::filesystem::path(TOILE_SOURCE_DIR) / "templates/fabrics";
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".toml") continue;
-    const auto loaded = read_fabric(entry.path());
-    ASSERT_TRUE(loaded.value) << in_words(loaded.report.findings.at(0));
-    EXPECT_FALSE(loaded.value->source.empty()) << entry.path();
-    ++count;
-  }
-  EXPECT_GE(count, 3);
-  const Fabric jersey = *read_fabric(folder / "jersey.toml").value, poplin = *read_fabric(folder / "cotton_poplin.toml").value,
-               denim = *read_fabric(folder / "denim.toml").value;
-  EXPECT_LT(jersey.stretch_warp, poplin.stretch_weft);
-  EXPECT_LT(poplin.area_density, denim.area_density);
-  EXPECT_LT(poplin.bend_warp, denim.bend_weft);
-}
-
 }  // namespace
 }  // namespace toile
