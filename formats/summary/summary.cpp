@@ -105,9 +105,13 @@ Json girths(const std::vector<SummaryGirth>& from) {
   for (const SummaryGirth& girth : from) {
     Json row = {{"name", girth.name}};
     put(row, "height_mm", girth.height * mm_per_m, "girths");
-    put(row, "garment_mm", girth.garment * mm_per_m, "girths");
     put(row, "body_mm", girth.body * mm_per_m, "girths");
-    put(row, "ease_mm", girth.ease * mm_per_m, "girths");
+    row["covered"] = girth.covered;
+    if (girth.covered) {
+      put(row, "garment_mm", girth.garment * mm_per_m, "girths");
+      put(row, "cloth_mm", girth.cloth * mm_per_m, "girths");
+      put(row, "ease_mm", girth.ease * mm_per_m, "girths");
+    }
     rows.push_back(row);
   }
   return rows;

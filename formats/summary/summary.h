@@ -19,8 +19,10 @@ struct SummaryDistance {
 };
 
 struct SummaryGirth {
-  std::string name;                                    // "bust"
-  double height = 0, garment = 0, body = 0, ease = 0;  // m
+  std::string name;                         // "bust"
+  double height = 0, body = 0;              // m
+  bool covered = false;                     // the garment goes all round there; only then:
+  double garment = 0, cloth = 0, ease = 0;  // m: as it hangs, laid flat, garment - body
 };
 
 struct RunSummary {

@@ -11,6 +11,7 @@
 #include "formats/formats.h"
 #include "formats/obj/mesh_text.h"
 #include "garment/units.h"
+#include "measure/girth_table.h"
 #include "picture/pictures.h"
 
 namespace toile {
@@ -83,6 +84,8 @@ RunSummary summary_of_drape(const Job& job, int code, const std::vector<std::str
   summary.tolerance = job.recipe.drape.tolerance;
   summary.seam_gap = job.worn.seam_gap;
   summary.links_ok = job.worn.links_ok;
+  for (const GirthRow& row : girth_table(job.worn.garment, job.worn.drape.positions, job.scene.body.form))
+    summary.girths.push_back({row.name, row.height, row.body, row.covered, row.garment, row.cloth, row.ease});
   summary.only_draped = true;
   summary.findings = job.findings;
   summary.inputs = by_name(job.inputs);
