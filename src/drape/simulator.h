@@ -38,9 +38,10 @@ struct Simulator {
   std::function<Drape(const DrapeRequest&)> drape;
 };
 
-const std::vector<Simulator>& simulators();
+const std::vector<Simulator>& simulators();  // those of this program
 
-// Throws BadInput("simulator.unknown") listing the names there are.
-const Simulator& find_simulator(const std::string& name);
+// One of that list by its name, or one that is another program: "external:NAME" for templates/simulators/NAME.toml, or the path of
+// such a file (drape/external). Throws BadInput("simulator.unknown") listing the names there are.
+Simulator find_simulator(const std::string& name);
 
 }  // namespace toile

@@ -1,4 +1,6 @@
 
+#include "drape/external/external.h"
+#include "drape/external/program.h"
 #include "drape/fem/fem.h"
 #include "drape/mass_spring/mass_spring.h"
 #include "drape/simulator.h"
@@ -15,12 +17,14 @@ const std::vector<Simulator>& simulators() {
   return list;
 }
 
-const Simulator& find_simulator(const std::string& name) {
+Simulator find_simulator(const std::string& name) {
+  if (const auto found = external::simulator(name)) return *found;
   std::string names;
   for (const Simulator& simulator : simulators()) {
     if (simulator.name == name) return simulator;
     names += (names.empty() ? "" : ", ") + simulator.name;
   }
+  for (const std::string& program : external::program_names()) names += ", external:" + program;
   throw BadInput(
       {"simulator.unknown", Severity::error, "simulator '" + name + "'", "there is no such simulator", "Use one of: " + names});
 }

@@ -1,4 +1,4 @@
-// What every simulator promises. Being in simulators() is being tested here.
+// What every simulator promises. Being in simulators() is being tested here; so is another program, behind files.
 
 #include <gtest/gtest.h>
 
@@ -183,6 +183,10 @@ const auto by_name = [](const auto& simulator) {
 };
 INSTANTIATE_TEST_SUITE_P(All, SimulatorContract, testing::ValuesIn(simulators()), by_name);
 INSTANTIATE_TEST_SUITE_P(All, OnBall, testing::ValuesIn(simulators()), by_name);
+
+const auto external = [](const auto&) { return std::string("external"); };
+INSTANTIATE_TEST_SUITE_P(StandIn, SimulatorContract, testing::Values(find_simulator(TOILE_STAND_IN)), external);
+INSTANTIATE_TEST_SUITE_P(StandIn, OnBall, testing::Values(find_simulator(TOILE_STAND_IN)), external);
 
 }  // namespace
 }  // namespace test
