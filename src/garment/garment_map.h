@@ -15,7 +15,9 @@ struct GarmentMap {
   double unit_size = 1;    // one such unit in SI: .01, 1e-3, 1e3
   bool is_signed = false;  // has a meaning on both sides of 0: shown in two colours
   MapOf of = MapOf::vertex;
-  Eigen::VectorXd values;  // SI; one per garment triangle or garment vertex; NaN: none there
+  double least_top = 0;     // SI: colours tell no finer differences than on a scale to here,
+  double most_top = 1e300;  // and beyond here none at all
+  Eigen::VectorXd values;   // SI; one per garment triangle or garment vertex; NaN: none there
   bool operator==(const GarmentMap&) const = default;
 };
 

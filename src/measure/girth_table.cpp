@@ -16,10 +16,10 @@ namespace {
 
 using Vec = Eigen::Vector3d;
 
-constexpr double biceps_share = .55;    // of the upper arm
-constexpr double below_crotch = .02;    // m
-constexpr double farthest_shift = .06;  // m, of the tape on the garment
-constexpr double shift_step = 5e-3;     // m
+constexpr double biceps_share = .55;   // of the upper arm
+constexpr double below_crotch = .02;   // m
+constexpr double longest_slide = .06;  // m, of the tape on the garment
+constexpr double shift_step = 5e-3;    // m
 
 bool is_trunk(const GirthPlace& place) { return place.limb == "trunk"; }
 
@@ -95,7 +95,8 @@ std::vector<GirthPlace> girth_places(const Mannequin& form) {
   std::vector<GirthPlace> places;
   for (const char* name : {"bust", "waist", "hip"})
     if (const auto level = levels.find(name); level != levels.end())
-      if (const auto middle = middle_of_trunk(form, level->second)) places.push_back({name, *middle, Vec::UnitY(), "trunk"});
+      if (const auto middle = middle_of_trunk(form, level->second))
+        places.push_back({name, *middle, Vec::UnitY(), "trunk", name == std::string("bust") ? longest_slide : 0});
   const std::vector<LimbAxis> axes = limb_axes(form);
   const auto axis_of = [&](const std::string& name) -> const LimbAxis* {
     for (const LimbAxis& axis : axes)
@@ -105,13 +106,13 @@ std::vector<GirthPlace> girth_places(const Mannequin& form) {
   for (const std::string side : {".L", ".R"})
     if (const LimbAxis* arm = axis_of("arm" + side)) {
       const Vec upper = arm->points[1] - arm->points[0];
-      places.push_back({"biceps" + side, arm->points[0] + biceps_share * upper, upper.normalized(), arm->name});
+      places.push_back({"biceps" + side, arm->points[0] + biceps_share * upper, upper.normalized(), arm->name, longest_slide});
     }
   const auto crotch = levels.find("crotch");
   for (const std::string side : {".L", ".R"})
     if (const LimbAxis* leg = axis_of("leg" + side); leg && crotch != levels.end())
       if (const auto at = crossings(*leg, {0, crotch->second - below_crotch, 0}, Vec::UnitY()); !at.empty())
-        places.push_back({"thigh" + side, at.front(), Vec::UnitY(), leg->name});
+        places.push_back({"thigh" + side, at.front(), Vec::UnitY(), leg->name, longest_slide});
   return places;
 }
 
@@ -123,7 +124,7 @@ GirthRow girth_row(const GirthPlace& place, const GarmentMesh& garment, const Ei
                              : limb_girth(form.positions, form.triangles, place.at, place.along);
   const std::vector<LimbAxis> axes = limb_axes(form);
   const Vec outwards = std::abs(place.along.y()) > .9999 ? Vec(-Vec::UnitY()) : place.along;
-  for (double shift = 0; shift <= farthest_shift; shift += shift_step) {
+  for (double shift = 0; shift <= place.slide; shift += shift_step) {
     const Vec at = place.at + shift * outwards;
     const Coverage found = coverage(garment, positions, place, at, axes);
     if (!found.any) break;

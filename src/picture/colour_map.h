@@ -11,9 +11,13 @@ namespace toile {
 // t from 0 (pale) to 1 (deep), clamped; grey when not a number.
 Colour colour_map(double t);
 
+// t from -1 (deep blue) over 0 (nearly white) to 1 (deep red), clamped, as evenly; grey when not a number.
+Colour signed_colour_map(double t);
+
 // What a colour means.
 struct ColourScale {
   double top = 1;  // value of the deepest colour; 0 is the palest
+  double low = 0;  // value at the other end: 0, or -top on a scale of two colours
   std::string unit = "mm";
   std::string title;  // "distance to the target"
 };

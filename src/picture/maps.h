@@ -8,8 +8,8 @@
 
 namespace toile {
 
-// One round scale for all of `maps` (of one unit), covering 98 % of their values and at least one unit: 0 .. high, or
-// -high .. high when one of them is signed.
+// One round scale for all of `maps` (of one unit), covering 98 % of their values within their least and most top: 0 .. high,
+// or -high .. high when one of them is signed.
 MapScale map_scale(const std::vector<GarmentMap>& maps);
 
 // Signed maps (scale.low < 0) diverge from white: blue below 0, red above.
