@@ -117,7 +117,7 @@ ExchangeFolder::ExchangeFolder() {
 
 ExchangeFolder::~ExchangeFolder() {
   std::error_code ignored;
-  if (!kept_) fs::remove_all(path_, ignored);
+  if (!kept_ && !std::getenv("TOILE_KEEP_EXTERNAL")) fs::remove_all(path_, ignored);
 }
 
 void write_file(const fs::path& file, const std::string& bytes) {
@@ -189,6 +189,8 @@ std::map<std::string, std::string> request_values(const DrapeRequest& request, c
                                      {"thickness", fabric.thickness},
                                      {"most_stretch", fabric.most_stretch},
                                      {"edge_length", mean_edge(request.garment)},
+                                     {"between", program.between},
+                                     {"still", program.still},
                                      {"mass", all},
                                      {"vertex_mass", all / static_cast<double>(std::max<Eigen::Index>(count, 1))},
                                      {"tolerance", request.tolerance},
@@ -221,7 +223,8 @@ Eigen::Matrix3Xd read_vertices(const fs::path& file, const Program& program) {
       const auto [next, error] = std::from_chars(words.data(), words.data() + words.size(), at(i));
       if (error != std::errc())
         throw BadInput({"simulator.external-unreadable", Severity::error, file.string() + ":" + std::to_string(line),
-                        "a vertex without three numbers", "The program may have been interrupted or its disk be full"});
+                        "a vertex without three numbers", "The program may have been interrupted or its disk be full",
+                        Fault::checks_failed});
       words.remove_prefix(static_cast<std::size_t>(next - words.data()));
     }
     points.push_back(to_ours(at, program));

@@ -13,7 +13,7 @@
 
 namespace toile::external {
 
-// A new, empty folder, removed with its owner unless it is kept.
+// A new, empty folder, removed with its owner unless it is kept, or TOILE_KEEP_EXTERNAL is in the environment.
 class ExchangeFolder {
  public:
   ExchangeFolder();

@@ -210,7 +210,7 @@ Drape drape(const Program& program, const std::string& name, const DrapeRequest&
       drape.residual = static_residual(request, drape.positions);
       drape.settled = whole && at_rest(request, program, folder.path(), drape);
     } catch (const BadInput& bad) {
-      if (bad.finding().fault != Fault::missing) folder.keep();
+      if (bad.finding().fault == Fault::checks_failed) folder.keep();
       throw;
     }
     if (request.progress) request.progress({std::max(drape.steps, 1), drape.residual, request.tolerance});

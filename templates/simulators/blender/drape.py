@@ -84,7 +84,7 @@ def set_cloth(garment, given):
     # Hinges k give a sheet sqrt(3) / 2 k (Seung and Nelson 1988); Blender's k is 0.1 stiffness * edge.
     settings.bending_model = "ANGULAR"
     settings.bending_stiffness = (given["bend_warp"] + given["bend_weft"]) / 2 * 2 / math.sqrt(3) / (0.1 * edge)
-    settings.bending_damping = 0.1
+    settings.bending_damping = 0
     settings.mass = given["vertex_mass"]
     # Drag on a vertex is 0.01 * air_damping * velocity.
     settings.air_damping = min(given["damping_rate"] * given["vertex_mass"] / 0.01, 10)
