@@ -2,51 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
+
+#include "picture/worn.h"
 
 namespace toile {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-// A tube of `around` x `along` squares about the y axis, facing outwards.
-void tube(double radius, double low, double high, int around, int along, Eigen::Matrix3Xd& positions,
-          Eigen::Matrix3Xi& triangles) {
-  positions.resize(3, around * (along + 1));
-  triangles.resize(3, 2 * around * along);
-  Eigen::Index t = 0;
-  for (int j = 0; j <= along; ++j)
-    for (int i = 0; i < around; ++i) {
-      const double turn = 2 * pi * i / around;
-      positions.col(j * around + i) << radius * std::sin(turn), low + (high - low) * j / along, radius * std::cos(turn);
-      if (j == along) continue;
-      const int a = j * around + i, b = j * around + (i + 1) % around;
-      triangles.col(t++) << a, b, b + around;
-      triangles.col(t++) << a, b + around, a + around;
-    }
-}
-
-struct Worn {
-  Mannequin body;
-  GarmentMesh garment;
-  Eigen::Matrix3Xd drape;
-};
-
-// One panel round a tube of a body.
-Worn worn() {
-  Worn made;
-  tube(.15, 0, 1.6, 24, 8, made.body.positions, made.body.triangles);
-  tube(.17, .6, 1.0, 24, 6, made.drape, made.garment.triangles);
-  made.garment.vertex_count = static_cast<int>(made.drape.cols());
-  PanelMesh panel;
-  panel.name = "tube";
-  panel.rest = made.drape.topRows<2>();
-  panel.triangles = made.garment.triangles;
-  for (int i = 0; i < 24; ++i) panel.boundary.push_back({i, 0, i / 24.0});
-  made.garment.panels = {panel};
-  made.garment.welded = {Eigen::VectorXi::LinSpaced(made.drape.cols(), 0, static_cast<int>(made.drape.cols()) - 1)};
-  return made;
-}
+using test::Worn;
+using test::worn;
 
 bool near(const Colour& a, const Colour& b, double by) {
   return std::abs(a.red - b.red) < by && std::abs(a.green - b.green) < by && std::abs(a.blue - b.blue) < by;
