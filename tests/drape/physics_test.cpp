@@ -18,8 +18,8 @@ const Fabric isotropic{.name = "isotropic",
                        .stretch_weft = 600,
                        .stretch_cross = 150,
                        .shear = 225,
-                       .bend_warp = 2e-5,
-                       .bend_weft = 2e-5,
+                       .bend_warp = 6e-5,
+                       .bend_weft = 6e-5,
                        .friction = .6};
 
 Body ball(double radius = .2) {

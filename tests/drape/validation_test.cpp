@@ -110,9 +110,7 @@ double droop(const Fabric& cloth, bool along_warp, double overhang, int cells) {
 class Cantilever : public testing::TestWithParam<std::filesystem::path> {};
 
 // Peirce 1930, BS 3356, ASTM D1388: an overhang of twice the bending length droops to 41.5 degrees.
-// Disabled because it fails, by +37 to +45 %: on meshes of nearly equilateral triangles the factor 3 in fem/bending.cpp makes
-// cloth bend three times as stiff as its file says.
-TEST_P(Cantilever, DISABLED_OfTwiceTheBendingLengthDroopsTo41DegreesAndAHalf) {
+TEST_P(Cantilever, OfTwiceTheBendingLengthDroopsTo41DegreesAndAHalf) {
   const Fabric cloth = *read_fabric(GetParam()).value;
   for (const bool warp : {true, false}) {
     const double length = std::cbrt((warp ? cloth.bend_warp : cloth.bend_weft) / (cloth.area_density * fem::gravity));
