@@ -188,7 +188,6 @@ Program read_program(const fs::path& file) {
   out.time_limit = table.seconds("time_limit");
   out.most_gap = table.length("most_gap", out.most_gap);
   out.garment = plain_name(table, "garment", out.garment, file);
-  out.garment = plain_name(table, "garment", out.garment, file);
   out.result = plain_name(table, "result", out.result, file);
   out.result_vertices = table.one_of("result_vertices", vertices, out.result_vertices);
   out.at_rest = table.one_of("at_rest", rests, out.at_rest);
