@@ -12,6 +12,8 @@
 #include "formats/obj/mesh_text.h"
 #include "garment/units.h"
 #include "measure/girth_table.h"
+#include "measure/maps.h"
+#include "picture/maps.h"
 #include "picture/pictures.h"
 
 namespace toile {
@@ -94,6 +96,21 @@ RunSummary summary_of_drape(const Job& job, int code, const std::vector<std::str
   return summary;
 }
 
+// Stretch on one scale for warp, weft and bias; ease and pressure each on their own. As pictures and, to turn round, as GLB.
+void write_maps(const Job& job, const Showing& showing, const OutputFolder& out) {
+  const Eigen::Matrix3Xd& positions = job.worn.drape.positions;
+  const std::vector<GarmentMap> maps = drape_maps(job.worn.garment, positions, job.scene.body, job.scene.fabric);
+  for (const GarmentMap& map : maps) {
+    std::vector<GarmentMap> alike;
+    for (const GarmentMap& other : maps)
+      if (other.unit == map.unit) alike.push_back(other);
+    const ColouredMap drawn = coloured(map, map_scale(alike));
+    write_whole_file(out.path(map.name + ".png"),
+                     png_bytes(map_picture(showing, positions, drawn, job.recipe.name + ": " + map.title)));
+    write_glb(out.path(map.name + ".glb"), job.scene.body.form, job.worn.garment, positions, &drawn);
+  }
+}
+
 }  // namespace
 
 int drape_pattern(const DrapeOptions& options) {
@@ -116,6 +133,7 @@ int drape_pattern(const DrapeOptions& options) {
   write_obj(out.path("drape.obj"), job.worn.garment, job.worn.drape.positions);
   write_obj(out.path("body.obj"), job.scene.body.form);
   write_whole_file(out.path("drape.png"), png_bytes(drape_picture(showing, job.worn.drape.positions, job.recipe.name)));
+  write_maps(job, showing, out);
   std::vector<std::string> files = out.names();
   files.emplace_back("summary.json");
   std::sort(files.begin(), files.end());

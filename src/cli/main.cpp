@@ -38,6 +38,8 @@ hangs.
 Written to the output folder:
   drape.obj, body.obj   metres; vt is the rest shape in metres, one group a panel
   drape.png             front, side and back
+  stretch_warp, stretch_weft, stretch_bias (%), ease (mm to the body), pressure (kPa), each .png and .glb
+                        the drape in colours, with their scale
   summary.json          figures for programs
 Interrupted (Ctrl-C) or out of time, it writes how far it got; --go-on takes that up again.)";
 
