@@ -96,6 +96,9 @@ Json adjusted(const RunSummary& summary) {
   to["settled"] = from.settled;
   put(to, "residual", from.residual, "adjusted");
   put(to, "max_penetration_mm", from.max_penetration * mm_per_m, "adjusted");
+  put(to, "girth_percent", 100 * from.girth, "adjusted");
+  put(to, "seam_length_mm", from.seam_length * mm_per_m, "adjusted");
+  put(to, "level_mm", from.level * mm_per_m, "adjusted");
   put(to, "seconds", from.seconds, "adjusted");
   return to;
 }

@@ -55,6 +55,9 @@ struct RunSummary {
     bool settled = false;
     double residual = 0;         // of the verifying drape
     double max_penetration = 0;  // m
+    double girth = 0;            // share; this and the next two: worst against the target, for a tape measure
+    double seam_length = 0;      // m, of the seams as they hang
+    double level = 0;            // m, of the openings' mean heights
     double seconds = 0;
   } adjusted;
   struct {

@@ -43,7 +43,10 @@ std::vector<ReportFact> drape_facts(const Job& job) {
           {"deepest inside the body", in_mm(drape.max_penetration, 2)},
           {"widest seam when sewn", in_mm(job.worn.seam_gap, 2)},
           {"dropped", in_mm(drape.slipped)},
-          {"time", plain("%.1f s", drape.seconds)}};
+          {"time", plain("%.1f s", drape.seconds)},
+          {"re-drape against target: girth", plain("within %.2f %%", 100 * job.tailoring.girth)},
+          {"re-drape against target: seams as they hang", "within " + in_mm(job.tailoring.seam_length)},
+          {"re-drape against target: hem and other openings", "at the same height within " + in_mm(job.tailoring.level)}};
 }
 
 std::vector<ReportSeam> seams(const Job& job) {
@@ -118,6 +121,9 @@ RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   summary.adjusted.settled = job.verified.drape.settled;
   summary.adjusted.residual = job.verified.drape.residual;
   summary.adjusted.max_penetration = job.verified.drape.max_penetration;
+  summary.adjusted.girth = job.tailoring.girth;
+  summary.adjusted.seam_length = job.tailoring.seam_length;
+  summary.adjusted.level = job.tailoring.level;
   summary.adjusted.seconds = job.adjustment.seconds;
   summary.outlines = {job.redrawn.max_deviation, job.redrawn.symmetry};
   summary.findings = job.findings;

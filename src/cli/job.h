@@ -8,6 +8,7 @@
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "garment/cut_sheet.h"
+#include "measure/tailoring.h"
 #include "workbench/workbench.h"
 
 namespace toile {
@@ -26,6 +27,7 @@ struct Job {
   Pattern reread;  // the written DXF, read back
   Verified verified;
   AdjustStep flattened;           // the baseline's measures
+  TailoringDifference tailoring;  // of the verifying drape to the target
   std::vector<Finding> findings;  // of all stages, in order
   double seconds = 0;             // of the whole run
 };
