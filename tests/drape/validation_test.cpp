@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -182,7 +183,8 @@ TEST(PictureFrame, IsPulledWithTheForceOfTheClosedForm) {
 class StripOnAHook : public testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(StripOnAHook, StretchesAsTheTestItsFabricWasMadeFrom) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "toile_hook.toml";
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / ("toile_hook_" + std::to_string(::getpid()) + ".toml");
   std::ofstream(file) << "friction = 0.4\nthickness = \"0.5 mm\"\nmost_stretch = \"9 %\"\n[test]\nweight = \"240 g/m^2\"\n"
                          "strip_width = \"5 cm\"\nwarp = \"100 g at 1.1 %\"\nweft = \"100 g at 1.9 %\"\n"
                          "bias = \"20 g at 2.1 %\"\nnarrowing = 0.25\n"
