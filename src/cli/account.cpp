@@ -99,19 +99,29 @@ std::string made_from(const Job& job) {
   return words;
 }
 
-RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
-  const AdjustStep& proved = job.verified.step;
+RunSummary summary_of_drape(const Job& job, const std::vector<std::string>& files) {
   RunSummary summary;
   summary.version = TOILE_VERSION;
   summary.recipe = job.recipe.name;
-  summary.verdict = verdict(job);
-  summary.ok = exit_code(job) == exit_ok;
   summary.mannequin = {job.scene.body.form.name, job.scene.body.form.height};
   summary.garment = {job.pattern.name, triangle_count(job.worn.garment), static_cast<int>(job.worn.garment.panels.size())};
   summary.fabric = job.scene.fabric.name;
   summary.drape = job.worn.drape;
   summary.tolerance = job.recipe.drape.tolerance;
   summary.seam_gap = job.worn.seam_gap;
+  summary.links_ok = job.worn.links_ok;
+  summary.findings = job.findings;
+  summary.inputs = by_name(job.inputs);
+  summary.files = files;
+  summary.seconds = job.seconds;
+  return summary;
+}
+
+RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
+  const AdjustStep& proved = job.verified.step;
+  RunSummary summary = summary_of_drape(job, files);
+  summary.verdict = verdict(job);
+  summary.ok = exit_code(job) == exit_ok;
   summary.flattened = {job.flattened.hausdorff, job.flattened.mean, job.flattened.stretch};
   summary.adjusted.distance = {proved.hausdorff, proved.mean, proved.stretch};
   summary.adjusted.stop = job.adjustment.stop;
@@ -126,10 +136,6 @@ RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   summary.adjusted.level = job.tailoring.level;
   summary.adjusted.seconds = job.adjustment.seconds;
   summary.outlines = {job.redrawn.max_deviation, job.redrawn.symmetry};
-  summary.findings = job.findings;
-  summary.inputs = by_name(job.inputs);
-  summary.files = files;
-  summary.seconds = job.seconds;
   return summary;
 }
 

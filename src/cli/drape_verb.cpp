@@ -73,26 +73,13 @@ std::string verdict_of(const Job& job, int code) {
   return words;
 }
 
-RunSummary summary_of_drape(const Job& job, int code, const std::vector<std::string>& files) {
-  RunSummary summary;
-  summary.version = TOILE_VERSION;
-  summary.recipe = job.recipe.name;
+RunSummary summary(const Job& job, int code, const std::vector<std::string>& files) {
+  RunSummary summary = summary_of_drape(job, files);
   summary.verdict = verdict_of(job, code);
   summary.ok = code == exit_ok;
-  summary.mannequin = {job.scene.body.form.name, job.scene.body.form.height};
-  summary.garment = {job.pattern.name, triangle_count(job.worn.garment), static_cast<int>(job.worn.garment.panels.size())};
-  summary.fabric = job.scene.fabric.name;
-  summary.drape = job.worn.drape;
-  summary.tolerance = job.recipe.drape.tolerance;
-  summary.seam_gap = job.worn.seam_gap;
-  summary.links_ok = job.worn.links_ok;
   for (const GirthRow& row : girth_table(job.worn.garment, job.worn.drape.positions, job.scene.body.form))
     summary.girths.push_back({row.name, row.height, row.body, row.covered, row.garment, row.cloth, row.ease});
   summary.only_draped = true;
-  summary.findings = job.findings;
-  summary.inputs = by_name(job.inputs);
-  summary.files = files;
-  summary.seconds = job.seconds;
   return summary;
 }
 
@@ -138,7 +125,7 @@ int drape_pattern(const DrapeOptions& options) {
   files.emplace_back("summary.json");
   std::sort(files.begin(), files.end());
   job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  write_summary(out.path("summary.json"), summary_of_drape(job, code, files));
+  write_summary(out.path("summary.json"), summary(job, code, files));
   out.keep();
   for (const Finding& finding : job.findings)
     if (finding.severity == Severity::error || !options.quiet) std::fprintf(stderr, "toile: %s\n", in_words(finding).c_str());

@@ -41,10 +41,10 @@ struct Worn {
   Pattern pattern;  // as given; where it marked no hem, the edges of the lowest opening are marked
   GarmentMesh garment;
   Drape drape;
-  double seam_gap = 0;            // m, widest seam just before it was welded
-  bool links_ok = true;           // every opening holds a limb that may go through it
-  std::vector<Opening> openings;  // empty when the drape went on from an earlier one
-  Report report;                  // errors of the guards: "drape.not-settled", "drape.penetrates", ...; warnings
+  double seam_gap = 0;   // m, widest seam just before it was welded
+  bool links_ok = true;  // every opening holds a limb that may go through it
+  std::vector<Opening> openings;
+  Report report;  // errors of the guards: "drape.not-settled", "drape.penetrates", ...; warnings
 };
 
 // Triangulates, sews, dresses and settles. Throws BadInput when the pattern cannot be meshed or placed.
