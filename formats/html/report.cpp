@@ -142,6 +142,24 @@ Slot pictures(const std::vector<ReportPicture>& from) {
   return rows;
 }
 
+Slot girths(const std::vector<SummaryGirth>& from) {
+  Slot rows{Slot::type::list};
+  for (const SummaryGirth& girth : from) {
+    Slot row;
+    row.set("name", girth.name);
+    row.set("height_cm", number(girth.height * cm_per_m, 1));
+    row.set("body_cm", number(girth.body * cm_per_m, 1));
+    row.set("covered", Slot(girth.covered));
+    if (girth.covered) {
+      row.set("garment_cm", number(girth.garment * cm_per_m, 1));
+      row.set("cloth_cm", number(girth.cloth * cm_per_m, 1));
+      row.set("ease_cm", number(girth.ease * cm_per_m, 1));
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 Slot names(const std::vector<std::string>& from) {
   Slot rows{Slot::type::list};
   for (const std::string& name : from) rows.push_back(Slot(name));
@@ -169,6 +187,7 @@ std::string report_html(const RunReport& report, const std::string& page) {
   slots.set("recipe", report.recipe);
   slots.set("has_recipe", Slot(!report.recipe.empty()));
   set_list(slots, "inputs", facts(report.inputs));
+  slots.set("drape_heading", report.drape_heading);
   set_list(slots, "drape", facts(report.drape));
   set_list(slots, "distances", distances(report));
   set_list(slots, "steps", steps(report));
@@ -176,6 +195,8 @@ std::string report_html(const RunReport& report, const std::string& page) {
   set_list(slots, "edges", edges(report));
   set_list(slots, "findings", findings(report.findings));
   set_list(slots, "pictures", pictures(report.pictures));
+  set_list(slots, "girths", girths(report.girths));
+  set_list(slots, "maps", pictures(report.maps));
   set_list(slots, "files", names(report.files));
   kainjow::mustache::mustache form(page);
   if (!form.is_valid())

@@ -1,10 +1,11 @@
 #pragma once
-// report.html of a run: one file with its pictures inside, nothing to fetch, printable.
+// report.html of a run or of a drape: one file with its pictures inside, nothing to fetch, printable.
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "formats/summary/summary.h"
 #include "garment/adjustment.h"
 #include "garment/report.h"
 
@@ -44,8 +45,9 @@ struct RunReport {
   std::string verdict;                // one line
   Severity outcome = Severity::note;  // colour of the verdict: note is good
   std::vector<ReportFact> inputs;     // pattern, body, fabric, simulator, tolerance, version, hashes
-  std::vector<ReportFact> drape;      // figures of the first drape
-  double height = 0;                  // m, of the body; distances are also given in percent of it
+  std::string drape_heading = "First drape";
+  std::vector<ReportFact> drape;  // its figures
+  double height = 0;              // m, of the body; distances are also given in percent of it
   std::vector<ReportDistance> distances;
   std::vector<AdjustStep> steps;  // steps[0] is the plain flattening
   int best = 0;                   // index into steps
@@ -55,8 +57,10 @@ struct RunReport {
   std::vector<ReportEdge> edges;
   std::vector<Finding> findings;
   std::vector<ReportPicture> pictures;
+  std::vector<SummaryGirth> girths;
+  std::vector<ReportPicture> maps;  // the drape in colours, each with its scale
   std::vector<std::string> files;
-  std::string recipe;  // text of the recipe
+  std::string recipe;  // its text; none: the command line said it all
 };
 
 // Fills the slots of `page` (templates/reports/report.html; the README there lists them). Throws BadInput "report.bad-template"

@@ -39,12 +39,12 @@ struct RunSummary {
     int triangles = 0, panels = 0;
   } garment;
   std::string fabric;
-  Drape drape;           // the source drape; positions are not written
-  double tolerance = 0;  // asked of the drapes that are reported
-  double seam_gap = 0;   // m, widest seam just before it was welded
-  bool links_ok = true;  // every limb goes through the opening it belongs to
-  std::vector<SummaryGirth> girths;
-  bool only_draped = false;  // by `toile drape`: flattened, adjusted and outlines are left out
+  Drape drape;                       // the source drape; positions are not written
+  double tolerance = 0;              // asked of the drapes that are reported
+  double seam_gap = 0;               // m, widest seam just before it was welded
+  bool links_ok = true;              // every limb goes through the opening it belongs to
+  std::vector<SummaryGirth> girths;  // of the drape that came out: in a run, of the adjusted pattern
+  bool only_draped = false;          // by `toile drape`: flattened, adjusted and outlines are left out
   SummaryDistance flattened;
   struct {
     SummaryDistance distance;  // of the re-exported outlines, draped anew

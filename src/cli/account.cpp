@@ -40,13 +40,33 @@ std::vector<ReportFact> drape_facts(const Job& job) {
   return {{"triangles", std::to_string(triangle_count(job.worn.garment))},
           {"settled", drape.settled ? "yes" : "no"},
           {"unbalanced force / weight", plain("%.1e", drape.residual)},
+          {"steps", std::to_string(drape.steps)},
           {"deepest inside the body", in_mm(drape.max_penetration, 2)},
           {"widest seam when sewn", in_mm(job.worn.seam_gap, 2)},
+          {"cloth through cloth", std::to_string(drape.self_intersections) + " pairs of triangles"},
+          {"turned over", std::to_string(drape.inverted_triangles) + " triangles"},
+          {"every limb through its opening", job.worn.links_ok ? "yes" : "no"},
           {"dropped", in_mm(drape.slipped)},
-          {"time", plain("%.1f s", drape.seconds)},
-          {"re-drape against target: girth", plain("within %.2f %%", 100 * job.tailoring.girth)},
-          {"re-drape against target: seams as they hang", "within " + in_mm(job.tailoring.seam_length)},
-          {"re-drape against target: hem and other openings", "at the same height within " + in_mm(job.tailoring.level)}};
+          {"time", plain("%.1f s", drape.seconds)}};
+}
+
+std::vector<ReportFact> tailoring_facts(const TailoringDifference& tailoring) {
+  return {{"re-drape against target: girth", plain("within %.2f %%", 100 * tailoring.girth)},
+          {"re-drape against target: seams as they hang", "within " + in_mm(tailoring.seam_length)},
+          {"re-drape against target: hem and other openings", "at the same height within " + in_mm(tailoring.level)}};
+}
+
+std::vector<SummaryGirth> girths(const Job& job) {
+  std::vector<SummaryGirth> rows;
+  for (const GirthRow& row : job.girths)
+    rows.push_back({row.name, row.height, row.body, row.covered, row.garment, row.cloth, row.ease});
+  return rows;
+}
+
+std::vector<ReportPicture> embedded(const std::vector<Picture>& pictures) {
+  std::vector<ReportPicture> shown;
+  for (const Picture& picture : pictures) shown.push_back({picture.caption, picture.png});
+  return shown;
 }
 
 std::vector<ReportSeam> seams(const Job& job) {
@@ -110,6 +130,7 @@ RunSummary summary_of_drape(const Job& job, const std::vector<std::string>& file
   summary.tolerance = job.recipe.drape.tolerance;
   summary.seam_gap = job.worn.seam_gap;
   summary.links_ok = job.worn.links_ok;
+  summary.girths = girths(job);
   summary.findings = job.findings;
   summary.inputs = by_name(job.inputs);
   summary.files = files;
@@ -139,16 +160,29 @@ RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   return summary;
 }
 
-RunReport report_of(const Job& job, const std::string& recipe_text, const std::vector<Picture>& pictures,
-                    const std::vector<std::string>& files) {
-  const AdjustStep& proved = job.verified.step;
+RunReport report_of_drape(const Job& job, const ShownPictures& pictures, const std::vector<std::string>& files) {
   RunReport report;
   report.title = job.recipe.name;
-  report.verdict = verdict(job);
   for (const Finding& finding : job.findings) report.outcome = std::max(report.outcome, finding.severity);
   report.inputs = inputs(job);
+  report.drape_heading = "How it hangs";
   report.drape = drape_facts(job);
   report.height = job.scene.body.form.height;
+  report.girths = girths(job);
+  report.findings = job.findings;
+  report.pictures = embedded(pictures.views);
+  report.maps = embedded(pictures.maps);
+  report.files = files;
+  return report;
+}
+
+RunReport report_of(const Job& job, const std::string& recipe_text, const ShownPictures& pictures,
+                    const std::vector<std::string>& files) {
+  const AdjustStep& proved = job.verified.step;
+  RunReport report = report_of_drape(job, pictures, files);
+  report.verdict = verdict(job);
+  report.drape_heading = "First drape";
+  for (const ReportFact& fact : tailoring_facts(job.tailoring)) report.drape.push_back(fact);
   report.distances = {{"plain flattening", job.flattened.mean, job.flattened.hausdorff, job.flattened.stretch},
                       {"adjusted, read back and draped anew", proved.mean, proved.hausdorff, proved.stretch}};
   report.steps = job.adjustment.steps;
@@ -156,9 +190,6 @@ RunReport report_of(const Job& job, const std::string& recipe_text, const std::v
   report.stop = in_words(job.adjustment.stop);
   report.seams = seams(job);
   report.edges = edges(job);
-  report.findings = job.findings;
-  for (const Picture& picture : pictures) report.pictures.push_back({picture.caption, picture.png});
-  report.files = files;
   report.recipe = recipe_text;
   return report;
 }

@@ -20,7 +20,9 @@ std::string made_from(const Job& job);
 // What every verb says that drapes: all up to the source drape, the findings and the files. Not the verdict.
 RunSummary summary_of_drape(const Job& job, const std::vector<std::string>& files);
 RunSummary summary_of(const Job& job, const std::vector<std::string>& files);
-RunReport report_of(const Job& job, const std::string& recipe_text, const std::vector<Picture>& pictures,
+// Likewise.
+RunReport report_of_drape(const Job& job, const ShownPictures& pictures, const std::vector<std::string>& files);
+RunReport report_of(const Job& job, const std::string& recipe_text, const ShownPictures& pictures,
                     const std::vector<std::string>& files);
 
 }  // namespace toile

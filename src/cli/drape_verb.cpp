@@ -8,13 +8,12 @@
 #include "cli/exit_codes.h"
 #include "cli/job.h"
 #include "cli/output_folder.h"
+#include "cli/pictures.h"
+#include "cli/templates.h"
 #include "formats/formats.h"
 #include "formats/obj/mesh_text.h"
 #include "garment/units.h"
 #include "measure/girth_table.h"
-#include "measure/maps.h"
-#include "picture/maps.h"
-#include "picture/pictures.h"
 
 namespace toile {
 namespace {
@@ -77,25 +76,8 @@ RunSummary summary(const Job& job, int code, const std::vector<std::string>& fil
   RunSummary summary = summary_of_drape(job, files);
   summary.verdict = verdict_of(job, code);
   summary.ok = code == exit_ok;
-  for (const GirthRow& row : girth_table(job.worn.garment, job.worn.drape.positions, job.scene.body.form))
-    summary.girths.push_back({row.name, row.height, row.body, row.covered, row.garment, row.cloth, row.ease});
   summary.only_draped = true;
   return summary;
-}
-
-// Stretch on one scale for warp, weft and bias; ease and pressure each on their own. As pictures and, to turn round, as GLB.
-void write_maps(const Job& job, const Showing& showing, const OutputFolder& out) {
-  const Eigen::Matrix3Xd& positions = job.worn.drape.positions;
-  const std::vector<GarmentMap> maps = drape_maps(job.worn.garment, positions, job.scene.body, job.scene.fabric);
-  for (const GarmentMap& map : maps) {
-    std::vector<GarmentMap> alike;
-    for (const GarmentMap& other : maps)
-      if (other.unit == map.unit) alike.push_back(other);
-    const ColouredMap drawn = coloured(map, map_scale(alike));
-    write_whole_file(out.path(map.name + ".png"),
-                     png_bytes(map_picture(showing, positions, drawn, job.recipe.name + ": " + map.title)));
-    write_glb(out.path(map.name + ".glb"), job.scene.body.form, job.worn.garment, positions, &drawn);
-  }
 }
 
 }  // namespace
@@ -116,15 +98,17 @@ int drape_pattern(const DrapeOptions& options) {
   }
   const int code = interrupted() ? static_cast<int>(exit_interrupted) : exit_code(job);
 
-  const Showing showing{job.scene.body.form, job.worn.garment, job.worn.drape.positions};
+  job.girths = girth_table(job.worn.garment, job.worn.drape.positions, job.scene.body.form);
   write_obj(out.path("drape.obj"), job.worn.garment, job.worn.drape.positions);
   write_obj(out.path("body.obj"), job.scene.body.form);
-  write_whole_file(out.path("drape.png"), png_bytes(drape_picture(showing, job.worn.drape.positions, job.recipe.name)));
-  write_maps(job, showing, out);
+  const ShownPictures pictures = write_drape_pictures(job, out);
   std::vector<std::string> files = out.names();
-  files.emplace_back("summary.json");
+  files.insert(files.end(), {"report.html", "summary.json"});
   std::sort(files.begin(), files.end());
   job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  RunReport report = report_of_drape(job, pictures, files);
+  report.verdict = verdict_of(job, code);
+  write_report(out.path("report.html"), report, template_file("reports", "report.html"));
   write_summary(out.path("summary.json"), summary(job, code, files));
   out.keep();
   for (const Finding& finding : job.findings)

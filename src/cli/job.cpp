@@ -213,6 +213,7 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
   job.reread = in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read);
   job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, watched(progress));
+  job.girths = girth_table(with_rest(job.worn.garment, job.verified.rest), job.verified.drape.positions, job.scene.body.form);
   job.tailoring = tailoring_difference(job.worn.garment, job.target.positions, job.verified.drape.positions);
   add(job, job.verified.report);
   judge(job);

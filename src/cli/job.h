@@ -8,6 +8,7 @@
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "garment/cut_sheet.h"
+#include "measure/girth_table.h"
 #include "measure/tailoring.h"
 #include "workbench/workbench.h"
 
@@ -28,6 +29,7 @@ struct Job {
   Verified verified;
   AdjustStep flattened;           // the baseline's measures
   TailoringDifference tailoring;  // of the verifying drape to the target
+  std::vector<GirthRow> girths;   // of the drape that came out: the verifying one in a run
   std::vector<Finding> findings;  // of all stages, in order
   double seconds = 0;             // of the whole run
 };

@@ -29,7 +29,9 @@ Written to the output folder:
   report.html, summary.json   the report, for people and for programs
   source.obj, target.obj, flattened.obj, redrape.obj, body.obj
                               metres; the drapes have the same vertices, vt is the rest shape in metres
-  *.png                       pictures of the drapes and of the outlines)";
+  *.png                       pictures of the drapes and of the outlines
+  stretch_warp, stretch_weft, stretch_bias, ease, pressure, each .png and .glb
+                              the re-drape in colours, with their scale)";
 
 constexpr const char* drape_help =
     R"(Reads a pattern, sews it, dresses a body with it and lets it come to rest. The last line on standard output says how it
@@ -40,7 +42,8 @@ Written to the output folder:
   drape.png             front, side and back
   stretch_warp, stretch_weft, stretch_bias (%), ease (mm to the body), pressure (kPa), each .png and .glb
                         the drape in colours, with their scale
-  summary.json          figures for programs
+  report.html, summary.json
+                        all of it on one page; the figures for programs
 Interrupted (Ctrl-C) or out of time, it writes how far it got; --go-on takes that up again.)";
 
 // What all verbs share.

@@ -1,12 +1,52 @@
 #include "cli/pictures.h"
 
+#include <cctype>
+
 #include "formats/formats.h"
 #include "geometry/surface_distance.h"
+#include "measure/maps.h"
+#include "picture/maps.h"
 #include "picture/pictures.h"
 
 namespace toile {
+namespace {
 
-std::vector<Picture> write_pictures(const Job& job, const OutputFolder& out) {
+Picture written(const OutputFolder& out, const std::string& file, const std::string& caption, const Image& image) {
+  Picture picture{file, caption, png_bytes(image)};
+  write_whole_file(out.path(file), picture.png);
+  return picture;
+}
+
+// What a map shows, for people who see one for the first time.
+std::string caption_of(const GarmentMap& map) {
+  const std::string turn = " To turn round: " + map.name + ".glb.";
+  if (map.name == "ease") return "Ease: air between cloth and body." + turn;
+  if (map.name == "pressure") return "Pressure of the cloth on the body." + turn;
+  std::string title = map.title;
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title + ": red is longer than cut, blue is pushed together." + turn;
+}
+
+// Stretch on one scale for warp, weft and bias; ease and pressure each on their own. As pictures and, to turn round, as GLB.
+std::vector<Picture> write_maps(const Job& job, const Showing& showing, const Eigen::Matrix3Xd& positions,
+                                const std::string& title, const OutputFolder& out) {
+  const std::vector<GarmentMap> maps = drape_maps(showing.garment, positions, job.scene.body, job.scene.fabric);
+  std::vector<Picture> pictures;
+  for (const GarmentMap& map : maps) {
+    std::vector<GarmentMap> alike;
+    for (const GarmentMap& other : maps)
+      if (other.unit == map.unit) alike.push_back(other);
+    const ColouredMap drawn = coloured(map, map_scale(alike));
+    pictures.push_back(
+        written(out, map.name + ".png", caption_of(map), map_picture(showing, positions, drawn, title + map.title)));
+    write_glb(out.path(map.name + ".glb"), job.scene.body.form, showing.garment, positions, &drawn);
+  }
+  return pictures;
+}
+
+}  // namespace
+
+ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   const GarmentMesh& garment = job.worn.garment;
   const Eigen::Matrix3Xd& target = job.target.positions;
   const auto to_target = [&](const Eigen::Matrix3Xd& positions) -> Eigen::VectorXd {
@@ -17,10 +57,9 @@ std::vector<Picture> write_pictures(const Job& job, const OutputFolder& out) {
   // One frame for all, so that they can be laid over each other.
   const Showing showing{job.scene.body.form, garment, job.worn.drape.positions};
 
-  std::vector<Picture> pictures;
+  ShownPictures pictures;
   const auto write = [&](const std::string& file, const std::string& caption, const Image& image) {
-    pictures.push_back({file, caption, png_bytes(image)});
-    write_whole_file(out.path(file), pictures.back().png);
+    pictures.views.push_back(written(out, file, caption, image));
   };
   write("source.png", "The pattern as it was read, draped.", drape_picture(showing, job.worn.drape.positions, "source"));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
@@ -32,6 +71,19 @@ std::vector<Picture> write_pictures(const Job& job, const OutputFolder& out) {
                          {job.verified.drape.positions, adjusted, "adjusted"}, scale_top({flattened, adjusted})));
   write("panels.png", "Outlines: original green, plain flattening red, adjusted blue.",
         panels_overlay(panel_outlines(garment, job.adjustment.flattened, job.verified.rest), job.recipe.name));
+  const GarmentMesh redrawn = with_rest(garment, job.verified.rest);
+  pictures.maps = write_maps(job, {job.scene.body.form, redrawn, job.worn.drape.positions}, job.verified.drape.positions,
+                             "re-drape of the adjusted pattern: ", out);
+  return pictures;
+}
+
+ShownPictures write_drape_pictures(const Job& job, const OutputFolder& out) {
+  const Eigen::Matrix3Xd& positions = job.worn.drape.positions;
+  const Showing showing{job.scene.body.form, job.worn.garment, positions};
+  ShownPictures pictures;
+  pictures.views.push_back(
+      written(out, "drape.png", "The pattern as it hangs.", drape_picture(showing, positions, job.recipe.name)));
+  pictures.maps = write_maps(job, showing, positions, job.recipe.name + ": ", out);
   return pictures;
 }
 

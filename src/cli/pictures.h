@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of a run.
+// The pictures of a run or of a drape.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,15 @@ struct Picture {
   std::string png;  // its bytes
 };
 
-// Draws and writes source, target, re-drape with its distance to the target, flattening beside it on the same scale, outlines.
-std::vector<Picture> write_pictures(const Job& job, const OutputFolder& out);
+struct ShownPictures {
+  std::vector<Picture> views;
+  std::vector<Picture> maps;  // of stretch, ease and pressure
+};
+
+// Of a run: source, target, re-drape with its distance to the target, flattening beside it on the same scale, outlines; maps of
+// the re-drape.
+ShownPictures write_run_pictures(const Job& job, const OutputFolder& out);
+// Of the source drape alone.
+ShownPictures write_drape_pictures(const Job& job, const OutputFolder& out);
 
 }  // namespace toile

@@ -66,7 +66,7 @@ int run_recipe(const RunOptions& options) {
 
   progress.begin("write");
   write_results(job, out, stem);
-  const auto pictures = write_pictures(job, out);
+  const ShownPictures pictures = write_run_pictures(job, out);
   std::vector<std::string> files = out.names();
   files.insert(files.end(), {"report.html", "summary.json"});
   std::sort(files.begin(), files.end());

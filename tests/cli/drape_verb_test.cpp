@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "formats/html/base64.h"
 
 namespace toile::test {
 namespace {
@@ -40,6 +41,20 @@ TEST_F(DrapeVerb, WritesWhatHangsAndSaysHow) {
   EXPECT_EQ(said["inputs"].size(), 4u);  // pattern, seams, size chart, fabric
   for (const auto& file : said["files"])
     EXPECT_TRUE(std::filesystem::is_regular_file(here_ / ("out/" + file.get<std::string>())));
+}
+
+TEST_F(DrapeVerb, ThePageShowsEveryPictureAndTheGirths) {
+  ASSERT_EQ(drape("out").status, 0);
+  const std::string page = contents(here_ / "out/report.html");
+  for (const char* file : {"drape", "stretch_warp", "stretch_weft", "stretch_bias", "ease", "pressure"})
+    EXPECT_NE(page.find(base64(contents(here_ / ("out/" + std::string(file) + ".png")))), std::string::npos) << file;
+  const auto said = summary("out");
+  EXPECT_NE(page.find(said["verdict"].get<std::string>()), std::string::npos);
+  ASSERT_FALSE(said["girths"].empty());
+  for (const auto& row : said["girths"])
+    EXPECT_NE(page.find("<td>" + row["name"].get<std::string>() + "</td>"), std::string::npos);
+  for (const char* of_runs : {"<h2>Recipe", "<h2>Seams", "<h2>Steps", "<h2>First drape"})
+    EXPECT_EQ(page.find(of_runs), std::string::npos) << of_runs;
 }
 
 TEST_F(DrapeVerb, TheSameBytesTwice) {

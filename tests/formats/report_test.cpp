@@ -32,6 +32,8 @@ RunReport full() {
   report.edges = {{"gore", "hem", .22, .21, true, 2}, {"gore", "side", .6, .6, false, 9}};
   report.findings = {{"drape.penetrates", Severity::warning, "source drape", "0.6 mm deep", "look at it", Fault::bad_input}};
   report.pictures = {{"source", "PNGBYTES"}};
+  report.girths = {{"waist", 1.05, .72, true, .75, .76, .03}, {"bust", 1.22, .88, false, 0, 0, 0}};
+  report.maps = {{"ease in mm", "MAPBYTES"}};
   report.files = {"skirt.dxf", "skirt.svg"};
   report.recipe = "[pattern]\nfile = \"a<b\"";
   return report;
@@ -60,6 +62,12 @@ TEST(RunReport, TellsTheFigures) {
   EXPECT_TRUE(has(html, ">-10.00<") && has(html, "straight"));
   EXPECT_TRUE(has(html, "drape.penetrates") && has(html, "look at it"));
   EXPECT_TRUE(has(html, "data:image/png;base64,UE5HQllURVM="));
+  EXPECT_TRUE(has(html, ">72.0<") && has(html, ">75.0<") && has(html, ">76.0<") && has(html, ">3.0<"));  // cm
+  EXPECT_TRUE(
+      has(html,
+          ">bust</td><td class=\"n\">122.0</td><td class=\"n\">88.0</td><td class=\"n\" colspan=\"3\">not covered all round<"));
+  EXPECT_TRUE(has(html, "ease in mm") && has(html, "data:image/png;base64,TUFQQllURVM="));
+  EXPECT_TRUE(has(html, "<h2>First drape</h2>"));
   EXPECT_TRUE(has(html, "<tr class=\"best\"><td>1</td>"));
   EXPECT_TRUE(has(html, "a&lt;b"));
   EXPECT_FALSE(has(html, "{{"));
