@@ -56,10 +56,12 @@ std::set<int> along_edge(const Pattern& pattern, const GarmentMesh& garment, con
 }
 
 void check_seams(const Pattern& pattern, const GarmentMesh& garment, const LoosePanels& cloth, double closed_gap,
-                 Dressed& dressed) {
+                 std::set<int>& stuck, Dressed& dressed) {
   const auto gaps = stitch_gaps(cloth);
   for (const double gap : gaps) dressed.seam_gap = std::max(dressed.seam_gap, gap);
   if (dressed.seam_gap <= closed_gap) return;
+  for (std::size_t s = 0; s < gaps.size(); ++s)
+    if (gaps[s] > closed_gap) stuck.insert(cloth.garment_vertex[static_cast<std::size_t>(cloth.stitched[s].front())]);
   for (const Seam& seam : pattern.seams) {
     const auto a = along_edge(pattern, garment, cloth, seam.a);
     const auto b = along_edge(pattern, garment, cloth, seam.b);
@@ -88,7 +90,7 @@ void weld(const LoosePanels& cloth, Eigen::Matrix3Xd& positions) {
   for (Eigen::Index g = 0; g < count.size(); ++g) positions.col(g) /= count(g);
 }
 
-void check_intersections(const GarmentMesh& garment, Dressed& dressed) {
+void check_intersections(const GarmentMesh& garment, std::set<int>& stuck, Dressed& dressed) {
   const auto offsets = triangle_offsets(garment);
   const auto panel_of = [&](int triangle) {
     const auto after = std::upper_bound(offsets.begin(), offsets.end(), triangle);
@@ -98,6 +100,7 @@ void check_intersections(const GarmentMesh& garment, Dressed& dressed) {
   for (const auto& [a, b] : intersecting_triangles(dressed.positions, garment.triangles)) {
     ++dressed.self_intersections;
     ++between[std::minmax(panel_of(a), panel_of(b))];
+    for (const int t : {a, b}) stuck.insert(garment.triangles.col(t).begin(), garment.triangles.col(t).end());
   }
   for (const auto& [names, pairs] : between)
     dressed.report.error(
@@ -108,11 +111,14 @@ void check_intersections(const GarmentMesh& garment, Dressed& dressed) {
 }
 
 // A simulator moves out what is a little inside the body, not what was sewn together through it.
-void check_outside(const GarmentMesh& garment, const Body& body, Dressed& dressed) {
+void check_outside(const GarmentMesh& garment, const Body& body, std::set<int>& stuck, Dressed& dressed) {
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     double deepest = 0;
-    for (Eigen::Index v = 0; v < garment.welded[p].size(); ++v)
-      deepest = std::max(deepest, -body.distance.distance(dressed.positions.col(garment.welded[p](v))));
+    for (const int v : garment.welded[p]) {
+      const double depth = -body.distance.distance(dressed.positions.col(v));
+      if (depth > through_body) stuck.insert(v);
+      deepest = std::max(deepest, depth);
+    }
     if (deepest > through_body)
       dressed.report.error("drape.through-body", "piece '" + garment.panels[p].name + "'",
                            "lies up to " + in_mm(deepest) + " inside the body",
@@ -141,10 +147,15 @@ std::vector<std::string> sleeves(const Pattern& pattern, const GarmentMesh& garm
   return hand;
 }
 
-void check_worn(const Pattern& pattern, const GarmentMesh& garment, const Body& body, Dressed& dressed) {
+void check_worn(const Pattern& pattern, const GarmentMesh& garment, const Body& body, std::set<int>& stuck, Dressed& dressed) {
   dressed.openings = openings(garment, dressed.positions, body.form);
   const Report report = check_openings(dressed.openings, garment, sleeves(pattern, garment, body));
   dressed.links_ok = report.ok();
+  for (const Opening& opening : dressed.openings)
+    if (std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& finding) {
+          return finding.place == opening.name || finding.code == "drape.not-around-body";
+        }))
+      stuck.insert(opening.loop.begin(), opening.loop.end());
   dressed.report.append(report);
 }
 
@@ -165,12 +176,20 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
   draw_together(sewing, body, cloth);
 
   Dressed dressed;
-  check_seams(pattern, garment, cloth, options.closed_gap, dressed);
+  std::set<int> stuck;
+  check_seams(pattern, garment, cloth, options.closed_gap, stuck, dressed);
   dressed.positions.resize(3, garment.vertex_count);
   weld(cloth, dressed.positions);
-  check_intersections(garment, dressed);
-  check_outside(garment, body, dressed);
-  check_worn(pattern, garment, body, dressed);
+  check_intersections(garment, stuck, dressed);
+  check_outside(garment, body, stuck, dressed);
+  check_worn(pattern, garment, body, stuck, dressed);
+  if (!dressed.report.ok()) {
+    dressed.stuck = Stuck{{}, {stuck.begin(), stuck.end()}, {}};
+    for (std::size_t p = 0; p < garment.panels.size(); ++p)
+      dressed.stuck->panels.push_back(cloth.positions.middleCols(cloth.first[p], garment.panels[p].rest.cols()));
+    for (const Finding& finding : dressed.report.findings)
+      if (finding.severity == Severity::error) dressed.stuck->errors.push_back(finding);
+  }
   return dressed;
 }
 

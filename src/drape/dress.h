@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct DressOptions {
   std::function<void(int step, int steps)> progress = {};
 };
 
+// What did not come together, to be looked at.
+struct Stuck {
+  std::vector<Eigen::Matrix3Xd> panels;  // m, by panel, as sewing left them, before their seams were welded
+  std::vector<int> where;  // garment vertices, sorted: open stitches, cloth in cloth, cloth in the body, round wrong openings
+  std::vector<Finding> errors;
+};
+
 struct Dressed {
   Eigen::Matrix3Xd positions;  // by garment vertex, seams welded
   double seam_gap = 0;         // m, widest seam just before it was welded
@@ -32,6 +40,7 @@ struct Dressed {
   bool links_ok = true;        // every opening holds a limb that may go through it
   std::vector<Opening> openings;
   std::vector<std::string> open_seams;  // by name
+  std::optional<Stuck> stuck;           // when the report has an error
 };
 
 // Position-based sewing (Mueller et al. 2007) without weight or friction, with the body and the cloth itself in the way.

@@ -113,6 +113,7 @@ Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double
   worn.links_ok = dressed.links_ok;
   worn.openings = std::move(dressed.openings);
   worn.report = std::move(dressed.report);
+  if (dressed.stuck && control.stuck) control.stuck(worn.garment, *dressed.stuck);
   settle(worn, scene, dressed.positions, tolerance, control);
   return worn;
 }

@@ -9,6 +9,7 @@
 #include "adjust/adjust.h"
 #include "body/body.h"
 #include "draft/redraw.h"
+#include "drape/dress.h"
 #include "drape/openings.h"
 #include "drape/simulator.h"
 #include "garment/fabric.h"
@@ -34,6 +35,8 @@ struct DrapeControl {
   std::optional<double> time_limit = {};  // s, of each drape; then the best state so far, not settled
   std::function<bool()> stop = {};        // asked between steps; once true, likewise
   std::function<void(int step, int steps)> dressing = {};
+  // Called when dressing did not come together, before what there is of it is settled.
+  std::function<void(const GarmentMesh&, const Stuck&)> stuck = {};
 };
 
 // A pattern sewn and hanging on the body.
