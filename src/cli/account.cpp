@@ -170,7 +170,11 @@ RunReport report_of_drape(const Job& job, const ShownPictures& pictures, const s
   report.height = job.scene.body.form.height;
   report.girths = girths(job);
   report.findings = job.findings;
-  report.pictures = embedded(pictures.views);
+  if (!job.stuck.png.empty())
+    report.pictures = {
+        {"Where dressing got stuck, in red: the panels before their seams were closed. To turn round: stuck.obj.",
+         job.stuck.png}};
+  for (const ReportPicture& picture : embedded(pictures.views)) report.pictures.push_back(picture);
   report.maps = embedded(pictures.maps);
   report.files = files;
   return report;

@@ -9,6 +9,7 @@
 #include "cli/job.h"
 #include "cli/output_folder.h"
 #include "cli/pictures.h"
+#include "cli/stuck.h"
 #include "cli/templates.h"
 #include "formats/formats.h"
 #include "formats/obj/mesh_text.h"
@@ -60,11 +61,12 @@ DrapeControl control_of(Progress& progress, const DrapeOptions& options) {
 
 std::string verdict_of(const Job& job, int code) {
   const Drape& drape = job.worn.drape;
-  char words[256];
+  char words[512];
   std::snprintf(words, sizeof words,
                 "%s on %s: %s, %.2f mm inside the body at most, seams within %.2f mm, %d intersections, dropped by %.1f mm",
                 job.recipe.name.c_str(), job.scene.body.form.name.c_str(),
-                drape.settled              ? "settled"
+                !job.stuck.png.empty()     ? "did not come together (see stuck.png)"
+                : drape.settled            ? "settled"
                 : code == exit_interrupted ? "interrupted before it settled"
                                            : "not settled",
                 drape.max_penetration * mm_per_m, job.worn.seam_gap * mm_per_m, drape.self_intersections,
@@ -89,12 +91,18 @@ int drape_pattern(const DrapeOptions& options) {
   job.recipe = as_recipe(options);
   OutputFolder out(options.out, options.force);
   load(job, progress);
-  if (options.go_on) {
-    const ObjMesh earlier =
-        value_or_throw(read_obj_mesh(value_or_throw(read_whole_file(*options.go_on)), options.go_on->string()));
-    drape(job, progress, control_of(progress, options), &earlier.positions);
-  } else {
-    drape(job, progress, control_of(progress, options));
+  const DrapeControl control = with_stuck_picture(control_of(progress, options), job, out);
+  try {
+    if (options.go_on) {
+      const ObjMesh earlier =
+          value_or_throw(read_obj_mesh(value_or_throw(read_whole_file(*options.go_on)), options.go_on->string()));
+      drape(job, progress, control, &earlier.positions);
+    } else {
+      drape(job, progress, control);
+    }
+  } catch (const BadInput&) {
+    keep_stuck_picture(job, out);
+    throw;
   }
   const int code = interrupted() ? static_cast<int>(exit_interrupted) : exit_code(job);
 

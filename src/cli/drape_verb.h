@@ -28,7 +28,8 @@ struct DrapeOptions {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-// Writes the folder and returns the exit code. Throws BadInput, then nothing is left behind. Interrupted while it settles, it
+// Writes the folder and returns the exit code. Throws BadInput, then nothing is left behind but the
+// picture of dressing that got stuck. Interrupted while it settles, it
 // writes how far it got, to go on from.
 int drape_pattern(const DrapeOptions& options);
 

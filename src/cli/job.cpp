@@ -7,6 +7,7 @@
 
 #include "body/parametric.h"
 #include "cli/exit_codes.h"
+#include "cli/stuck.h"
 #include "cut/cut.h"
 #include "edit/arguments.h"
 #include "formats/formats.h"
@@ -174,6 +175,7 @@ void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matr
   job.worn = start ? wear_from(job.pattern, job.scene, edge_length, tolerance, *start, control)
                    : wear(job.pattern, job.scene, edge_length, tolerance, control);
   add(job, job.worn.report);
+  name_stuck_picture(job.stuck, job.findings);
   char words[128];
   std::snprintf(words, sizeof words, "%d triangles, residual %.1e in %d steps, %.1f s", triangle_count(job.worn.garment),
                 job.worn.drape.residual, job.worn.drape.steps, job.worn.drape.seconds);
@@ -182,8 +184,6 @@ void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matr
 
 void work(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
-  drape(job, progress, watched(progress));
-
   progress.begin("edit");
   job.target = edit(job.worn, job.scene, recipe.edits);
   add(job, job.target.report);

@@ -14,12 +14,19 @@
 
 namespace toile {
 
+// Dressing that did not come together.
+struct StuckDressing {
+  std::vector<Finding> errors;  // as dressing put them
+  std::string png;              // bytes of the picture
+};
+
 struct Job {
   std::filesystem::path recipe_file;
   Recipe recipe;
   std::vector<InputHash> inputs;
   Pattern pattern;  // as read
   Scene scene;
+  StuckDressing stuck;
   Worn worn;
   Target target;
   Adjustment adjustment;
@@ -38,7 +45,7 @@ struct Job {
 void load(Job& job, Progress& progress);
 // The source drape: dressed and settled, or settled from `start` (3 x garment vertices).
 void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start = nullptr);
-// Drape, edit, adjust, redraw.
+// Edit, adjust, redraw.
 void work(Job& job, Progress& progress);
 // Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);

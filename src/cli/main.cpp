@@ -30,6 +30,7 @@ Written to the output folder:
   source.obj, target.obj, flattened.obj, redrape.obj, body.obj
                               metres; the drapes have the same vertices, vt is the rest shape in metres
   *.png                       pictures of the drapes and of the outlines
+  stuck.png, stuck.obj        only when a seam or panel did not come together: where, and the loose panels
   stretch_warp, stretch_weft, stretch_bias, ease, pressure, each .png and .glb
                               the re-drape in colours, with their scale)";
 
@@ -42,6 +43,7 @@ Written to the output folder:
   drape.png             front, side and back
   stretch_warp, stretch_weft, stretch_bias (%), ease (mm to the body), pressure (kPa), each .png and .glb
                         the drape in colours, with their scale
+  stuck.png, stuck.obj  only when a seam or panel did not come together: where, and the loose panels
   report.html, summary.json
                         all of it on one page; the figures for programs
 Interrupted (Ctrl-C) or out of time, it writes how far it got; --go-on takes that up again.)";

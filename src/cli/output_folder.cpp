@@ -65,9 +65,9 @@ std::vector<std::string> OutputFolder::names() const {
   return names;
 }
 
-void OutputFolder::keep() {
+void OutputFolder::keep(const std::vector<std::string>& names) {
   std::error_code error;
-  for (const std::string& name : names()) {
+  for (const std::string& name : names) {
     fs::rename(staging_ / name, folder_ / name, error);
     if (error)
       throw BadInput({"output.cannot-create", Severity::error, (folder_ / name).string(), error.message(),

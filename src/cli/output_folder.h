@@ -19,8 +19,9 @@ class OutputFolder {
   // Where to write `name` until keep().
   std::filesystem::path path(const std::string& name) const;
   std::vector<std::string> names() const;  // of the files so far, sorted
-  // Moves every file into the folder.
-  void keep();
+  // Moves every file into the folder, or only those named.
+  void keep() { keep(names()); }
+  void keep(const std::vector<std::string>& names);
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

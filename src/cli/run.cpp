@@ -10,6 +10,7 @@
 #include "cli/output_folder.h"
 #include "cli/pictures.h"
 #include "cli/recipe_file.h"
+#include "cli/stuck.h"
 #include "cli/templates.h"
 #include "formats/formats.h"
 #include "formats/svg/sheet_style.h"
@@ -59,10 +60,16 @@ int run_recipe(const RunOptions& options) {
   job.recipe = value_or_throw(read_recipe(options.recipe));
   OutputFolder out(options.out, options.force);
   load(job, progress);
-  work(job, progress);
   const std::string stem = file_stem(options.recipe);
-  write_patterns(job, out, stem);
-  prove(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"), progress);
+  try {
+    drape(job, progress, with_stuck_picture(watched(progress), job, out));
+    work(job, progress);
+    write_patterns(job, out, stem);
+    prove(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"), progress);
+  } catch (const BadInput&) {
+    keep_stuck_picture(job, out);
+    throw;
+  }
 
   progress.begin("write");
   write_results(job, out, stem);

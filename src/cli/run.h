@@ -15,7 +15,8 @@ struct RunOptions {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-// Does what the recipe says and writes the folder; returns the exit code. Throws BadInput, then nothing is left behind.
+// Does what the recipe says and writes the folder; returns the exit code. Throws BadInput, then nothing is left behind but the
+// picture of dressing that got stuck.
 int run_recipe(const RunOptions& options);
 
 }  // namespace toile

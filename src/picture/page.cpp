@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "picture/canvas.h"
-#include "picture/render.h"
 
 namespace toile {
 namespace {
@@ -81,11 +80,13 @@ Image title_strip(const std::string& title, int width) {
   return canvas.image();
 }
 
-Image view_row(const Showing& showing, const Eigen::Matrix3Xd& positions, const std::vector<Colour>& colours, const ViewRow& row) {
+Image view_row(const Showing& showing, const Eigen::Matrix3Xd& positions, const std::vector<Colour>& colours,
+               const ViewRow& row) {
   if (positions.cols() != showing.garment.vertex_count) throw std::invalid_argument("picture: one position per garment vertex");
-  const Scene3D scene{.meshes = {shown(showing.body), {positions, showing.garment.triangles, colours, 0.55}},
-                      .lines = seam_lines(showing.garment, positions),
-                      .background = {1, 1, 1}};
+  Scene3D scene{.meshes = {shown(showing.body), {positions, showing.garment.triangles, colours, 0.55}},
+                .lines = seam_lines(showing.garment, positions),
+                .background = {1, 1, 1}};
+  scene.lines.insert(scene.lines.end(), row.marks.begin(), row.marks.end());
   View view;
   view.samples = showing.samples;
   view.frame = prism(showing.frame.cols() > 0 ? showing.frame : positions);

@@ -17,6 +17,19 @@ class DrapeVerb : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments, cue);
   }
+  Ended drape_too_high(const std::vector<std::string>& more) const {
+    const auto skirt = std::filesystem::path(TOILE_SOURCE_DIR) / "samples" / "gored_skirt";
+    std::string seams = contents(skirt / "gored_skirt.seams.toml");
+    const std::string place = "drop = \"2 cm\", around = true";
+    seams.replace(seams.find(place), place.size(), "drop = \"-75 cm\", around = true");
+    here_.write("high.seams.toml", seams);
+    std::vector<std::string> arguments{"drape",         (skirt / "gored_skirt.dxf").string(),
+                                       "--seams",       (here_ / "high.seams.toml").string(),
+                                       "--edge-length", "80 mm",
+                                       "--out",         (here_ / "out").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  }
   nlohmann::json summary(const std::string& out) const {
     return nlohmann::json::parse(contents(here_ / (out + "/summary.json")));
   }
@@ -55,6 +68,31 @@ TEST_F(DrapeVerb, ThePageShowsEveryPictureAndTheGirths) {
     EXPECT_NE(page.find("<td>" + row["name"].get<std::string>() + "</td>"), std::string::npos);
   for (const char* of_runs : {"<h2>Recipe", "<h2>Seams", "<h2>Steps", "<h2>First drape"})
     EXPECT_EQ(page.find(of_runs), std::string::npos) << of_runs;
+}
+
+// Gores put where the head is cannot be sewn round the trunk.
+TEST_F(DrapeVerb, DressingThatGetsStuckIsShown) {
+  const Ended ended = drape_too_high({"--time-limit", "0.1"});
+  EXPECT_TRUE(ended.status == 10 || ended.status == 11) << ended.err;
+  EXPECT_NE(ended.out.find("did not come together (see stuck.png)"), std::string::npos) << ended.out;
+  const auto said = summary("out");
+  bool named = false;
+  for (const auto& finding : said["findings"])
+    named = named || finding["remedy"].get<std::string>().find("stuck.png") != std::string::npos;
+  EXPECT_TRUE(named);
+  EXPECT_TRUE(std::filesystem::is_regular_file(here_ / "out/stuck.obj"));
+  EXPECT_NE(contents(here_ / "out/report.html").find(base64(contents(here_ / "out/stuck.png"))), std::string::npos);
+}
+
+// What fails after that, likely because of it, still leaves the picture.
+TEST_F(DrapeVerb, DressingThatGetsStuckIsShownAlsoWhenTheSimulatorFails) {
+  here_.write("fails.toml",
+              "name = \"fails\"\nsummary = \"\"\nprogram = \"/bin/false\"\ncommand = [\"{program}\"]\ntime_limit = 9\n");
+  const Ended ended = drape_too_high({"--simulator", (here_ / "fails.toml").string()});
+  EXPECT_NE(ended.err.find("simulator.external-failed"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("Where: stuck.png"), std::string::npos) << ended.err;
+  EXPECT_EQ(here_.everything(),
+            (std::set<std::string>{"fails.toml", "high.seams.toml", "out", "out/body.obj", "out/stuck.obj", "out/stuck.png"}));
 }
 
 TEST_F(DrapeVerb, TheSameBytesTwice) {
