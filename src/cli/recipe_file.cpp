@@ -164,6 +164,10 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
 
   Section drape = section("drape", false);
   recipe.drape.simulator = drape.text("simulator").value_or(recipe.drape.simulator);
+  // "external:NAME" is one of templates/simulators; a file is meant as the recipe's other files are.
+  const std::filesystem::path program = recipe.drape.simulator;
+  if (program.extension() == ".toml" && recipe.drape.simulator.rfind("external:", 0) != 0)
+    recipe.drape.simulator = (folder / program).string();
   drape.length("edge_length", recipe.drape.edge_length, 2e-3);
   drape.number("tolerance", recipe.drape.tolerance, 1e-8, 1e-1);
   drape.refuse_unknown();

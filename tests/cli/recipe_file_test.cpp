@@ -29,6 +29,17 @@ class RecipeFile : public testing::Test {
   Workplace here_;
 };
 
+TEST_F(RecipeFile, ASimulatorOfOnesOwnIsBesideTheRecipe) {
+  const auto simulator = [&](const std::string& written) {
+    return read(least + "[drape]\nsimulator = \"" + written + "\"\n").value.value().drape.simulator;
+  };
+  EXPECT_EQ(simulator("mine/program.toml"), (here_ / "mine/program.toml").string());
+  EXPECT_EQ(simulator("/abs/program.toml"), "/abs/program.toml");
+  EXPECT_EQ(simulator("external:blender"), "external:blender");
+  EXPECT_EQ(simulator("external:odd.toml"), "external:odd.toml");
+  EXPECT_EQ(simulator("mass-spring"), "mass-spring");
+}
+
 TEST_F(RecipeFile, EveryPartIsRead) {
   const Loaded<Recipe> loaded = read(R"(name = "a dress"
 [pattern]
