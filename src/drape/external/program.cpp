@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <initializer_list>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "garment/report.h"
+#include "garment/templates.h"
 #include "garment/units.h"
 
 namespace toile::external {
@@ -146,14 +146,7 @@ std::string json_escaped(const std::string& text) {
 
 }  // namespace
 
-fs::path program_folder() {
-  if (const char* given = std::getenv("TOILE_TEMPLATES")) return fs::path(given) / "simulators";
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "toile" / "templates" / "simulators";
-  if (!error && fs::is_directory(installed, error)) return installed;
-  return fs::path(TOILE_TEMPLATE_FOLDER) / "simulators";
-}
+fs::path program_folder() { return template_folder("simulators"); }
 
 std::vector<std::string> program_names() {
   std::vector<std::string> names;

@@ -40,7 +40,7 @@ struct Program {
   std::filesystem::path file;                 // this came from
 };
 
-// The templates folder: $TOILE_TEMPLATES, else beside the installed program, else in the source tree; in it simulators/.
+// templates/simulators (garment/templates.h).
 std::filesystem::path program_folder();
 std::vector<std::string> program_names();  // sorted
 
