@@ -22,8 +22,8 @@ Line armhole(const Vector2d& underarm, const Vector2d& tip, double width, double
   return joined(lower, curve(corner, corner + up, tip + .25 * depth * square, tip, 8));
 }
 
-BodiceHalf half(double side, double chest, double width, double hollow, const Vector2d& neck, double neck_centre, double shoulder,
-                double slope) {
+BodiceHalf half(double side, double chest, double width, double hollow, const Vector2d& neck, double neck_centre,
+                double shoulder, double slope) {
   BodiceHalf out;
   out.side = side;
   const Vector2d tip = neck + shoulder * Vector2d(std::cos(slope), -std::sin(slope));
@@ -38,14 +38,14 @@ BodiceHalf half(double side, double chest, double width, double hollow, const Ve
 
 }  // namespace
 
-double nape_to_waist(const Measures& m) { return .2225 * m.height; }
+double nape_to_waist(const Measures& m) { return .228 * m.height; }
 double waist_to_hip(const Measures& m) { return .144 * m.height; }
 
 Bodice draft_bodice(const Measures& m, const BodiceEase& ease) {
-  // Shares of the bust as they have been taught for long: they add up to half of it.
+  // They add up to half of the bust and its ease.
   const double back_width = m.bust / 8 + 5.5_cm + ease.bust / 2 * .2;
-  const double armhole_width = m.bust / 8 - 1.5_cm + ease.bust / 2 * .5;
-  const double front_width = m.bust / 4 - 4.0_cm + ease.bust / 2 * .3;
+  const double front_width = .16 * m.bust + 1.9_cm + ease.bust / 2 * .3;
+  const double armhole_width = .215 * m.bust - 7.4_cm + ease.bust / 2 * .5;
   const double nape = nape_to_waist(m);
   const double neck_width = m.bust / 20 + 2.2_cm;
   const double neck_rise = 2.3_cm;
@@ -59,9 +59,9 @@ Bodice draft_bodice(const Measures& m, const BodiceEase& ease) {
     return Vector2d(neck_width + ease.neck * std::cos(slope), height - ease.neck * std::sin(slope));
   };
   Bodice out;
-  out.back = half(back_width + .45 * armhole_width, chest, back_width, .62, widened(nape + neck_rise, back_slope),
+  out.back = half(back_width + .4 * armhole_width, chest, back_width, .62, widened(nape + neck_rise, back_slope),
                   nape - ease.neck * .3, shoulder, back_slope);
-  out.front = half(front_width + .55 * armhole_width, chest + darts, front_width, .72, widened(front_neck, front_slope),
+  out.front = half(front_width + .6 * armhole_width, chest + darts, front_width, .72, widened(front_neck, front_slope),
                    front_neck - neck_width - 1.2_cm - ease.front_neck, shoulder, front_slope);
   out.bust_point = {m.bust / 10 + .3_cm, nape + neck_rise + balance - (m.bust / 5 + 9.7_cm)};
   out.bust_dart = darts;
@@ -101,12 +101,11 @@ Piece draft_sleeve(const Measures& m, const Bodice& bodice, const SleeveRule& ru
   std::vector<double> on_back;
   for (const double at : back_notches(bodice)) on_back.push_back(share_at(cap_back, at));
 
-  Piece sleeve =
-      piece("SLEEVE", {{"hem", {hem_front, hem_back}, rule.hem_allowance, true},
-                       {"seam_back", {hem_back, {back, 0}}},
-                       {"cap_back", cap_back, 10e-3, false, on_back},
-                       {"cap_front", cap_front, 10e-3, false, {0, 1 - share_at(cap_front, front_notch(bodice))}},
-                       {"seam_front", {{-front, 0}, hem_front}}});
+  Piece sleeve = piece("SLEEVE", {{"hem", {hem_front, hem_back}, rule.hem_allowance, true},
+                                  {"seam_back", {hem_back, {back, 0}}},
+                                  {"cap_back", cap_back, 10e-3, false, on_back},
+                                  {"cap_front", cap_front, 10e-3, false, {0, 1 - share_at(cap_front, front_notch(bodice))}},
+                                  {"seam_front", {{-front, 0}, hem_front}}});
   sleeve.mirrored_quantity = 1;
   sleeve.grainline = Grainline{{middle, bottom + .15 * rule.length}, {middle, height - .25 * rule.length}};
   return sleeve;

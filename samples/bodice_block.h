@@ -1,24 +1,24 @@
 #pragma once
-// The upper body block of the samples: half back and half front from the waist up, by direct measure after the way of the German
-// systems (back width, armhole diameter and front width as shares of the bust; dart from the balance of front and back).
+// The upper body block of the samples: half back and half front from the waist up, by direct measure after the way of the
+// German systems (back width, armhole diameter and front width as shares of the bust; dart from the balance of front and back).
 
 #include "drafting.h"
 
 namespace toile::drafting {
 
 struct BodiceEase {
-  double bust = 6e-2;       // m, round the bust
-  double armhole = 0;       // m, deeper than the block's
-  double front_neck = 0;    // m, deeper
-  double neck = 0;          // m, wider at each shoulder
-  double shoulder = 0;      // m, longer (or shorter) than to the bone
-  bool bust_dart = true;    // else the front keeps a third of its extra length at the neck, and the side seams agree
+  double bust = 6e-2;     // m, round the bust
+  double armhole = 0;     // m, deeper than the block's
+  double front_neck = 0;  // m, deeper
+  double neck = 0;        // m, wider at each shoulder
+  double shoulder = 0;    // m, longer (or shorter) than to the bone
+  bool bust_dart = true;  // else the front keeps a third of its extra length at the neck, and the side seams agree
 };
 
 // Centre on x = 0, waist on y = 0, side at x > 0. Lines run counter-clockwise: armhole from the underarm up, neck towards the
 // centre.
 struct BodiceHalf {
-  double side = 0;     // m, from the centre to the underarm
+  double side = 0;  // m, from the centre to the underarm
   Line armhole, shoulder, neck;
   Eigen::Vector2d underarm() const { return armhole.front(); }
 };

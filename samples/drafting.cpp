@@ -18,7 +18,8 @@ Measures measures_of(const SizeChartRow& row) {
   const auto other = [&](const char* name) {
     const auto found = row.others.find(name);
     if (found == row.others.end())
-      throw BadInput({"draft.no-measure", Severity::error, row.chart + " " + row.size, "the row has no '" + std::string(name) + "'",
+      throw BadInput({"draft.no-measure", Severity::error, row.chart + " " + row.size,
+                      "the row has no '" + std::string(name) + "'",
                       "The samples are drafted from height, bust, waist, hip, upper_arm, wrist and thigh"});
     return found->second;
   };
@@ -47,7 +48,8 @@ Line through(const Line& points, int steps) {
   };
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const double third = (points[k + 1] - points[k]).norm() / 3;
-    line = joined(line, curve(points[k], points[k] + third * slope(k), points[k + 1] - third * slope(k + 1), points[k + 1], steps));
+    line = joined(line,
+                  curve(points[k], points[k] + third * slope(k), points[k + 1] - third * slope(k + 1), points[k + 1], steps));
   }
   return line;
 }

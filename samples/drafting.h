@@ -1,5 +1,6 @@
 #pragma once
-// What the drafts of the samples share: lines as a pattern maker draws them, pieces made of them, and the program round a draft.
+// What the drafts of the samples share: lines as a pattern maker draws them, pieces made of them, and the program round a
+// draft.
 
 #include <Eigen/Core>
 #include <functional>
@@ -49,7 +50,8 @@ struct Draft {
 // A piece from its edges counter-clockwise, notches on them.
 Piece piece(const std::string& name, const std::vector<Draft>& outline);
 // From the edges of the half at x >= 0, the first beginning and the last ending on the centre line: the whole piece. The first
-// and the last edge are joined with their mirror images; of the others, those at x > 0 get the suffix `right`, the others `left`.
+// and the last edge are joined with their mirror images; of the others, those at x > 0 get the suffix `right`, the others
+// `left`.
 std::vector<Draft> whole(const std::vector<Draft>& half, const std::string& right, const std::string& left);
 
 // The draft's program: `NAME FOLDER [SIZE]` writes FOLDER/NAME.dxf for a row (38) of templates/mannequins/women.csv.

@@ -11,8 +11,8 @@ using namespace toile::drafting;
 using Eigen::Vector2d;
 
 // The block's half down to the hem, the side a little in at the waist.
-Piece body(const std::string& name, const BodiceHalf& half, double hem_half, double below_waist, const std::vector<double>& notches,
-           const std::string& right, const std::string& left) {
+Piece body(const std::string& name, const BodiceHalf& half, double hem_half, double below_waist,
+           const std::vector<double>& notches, const std::string& right, const std::string& left) {
   const Vector2d underarm = half.underarm(), hem(hem_half, .8_cm - below_waist);
   const Vector2d waist((underarm.x() + hem_half) / 2 - 1.2_cm, 0);
   const Line side = through({hem, waist, underarm}, 5);
@@ -33,19 +33,16 @@ Piece body(const std::string& name, const BodiceHalf& half, double hem_half, dou
 }
 
 std::vector<Piece> pieces(const Measures& m) {
-  const Bodice block = draft_bodice(m, {.bust = 8.0_cm,
-                                        .armhole = 1.0_cm,
-                                        .front_neck = 1.5_cm,
-                                        .neck = 1.0_cm,
-                                        .shoulder = 1.0_cm,
-                                        .bust_dart = false});
+  const Bodice block = draft_bodice(
+      m, {.bust = 8.0_cm, .armhole = 1.0_cm, .front_neck = 1.5_cm, .neck = 1.0_cm, .shoulder = 1.0_cm, .bust_dart = false});
   const double below_waist = waist_to_hip(m) - 2.0_cm;
   const double hem = (m.hip + 6.0_cm) / 4;
   const double forward = (block.front.side - block.back.side) / 2;
   return {body("FRONT", block.front, hem + forward, below_waist, {front_notch(block)}, "_left", "_right"),
           body("BACK", block.back, hem - forward, below_waist, back_notches(block), "_right", "_left"),
-          draft_sleeve(m, block,
-                       {.biceps_ease = 7.0_cm, .cap_ease = 0, .length = 20.0_cm, .hem = m.upper_arm + 4.5_cm, .hem_allowance = 2.0_cm})};
+          draft_sleeve(
+              m, block,
+              {.biceps_ease = 7.0_cm, .cap_ease = 0, .length = 20.0_cm, .hem = m.upper_arm + 4.5_cm, .hem_allowance = 2.0_cm})};
 }
 
 }  // namespace
