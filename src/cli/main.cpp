@@ -14,9 +14,10 @@ namespace {
 constexpr const char* footer = R"(Exit codes:
    0  done                         64  wrong use of the command line
   10  written, but a check failed  65  bad input (the message names file, place and remedy)
-  11  did not converge             66  a file is missing
-  12  ambiguous units: say which   73  the output cannot be written
-   1, 70  a fault of the program   75  interrupted
+  11  did not converge: the best   66  a file is missing
+      state so far is written      73  the output cannot be written
+  12  ambiguous units: say which   75  interrupted
+   1, 70  a fault of the program
 Lengths are written with their unit: "10 cm", "5 mm", "5/8 in".)";
 
 constexpr const char* run_help =
@@ -47,6 +48,12 @@ Written to the output folder:
   report.html, summary.json
                         all of it on one page; the figures for programs
 Interrupted (Ctrl-C) or out of time, it writes how far it got; --go-on takes that up again.)";
+
+constexpr const char* examples = R"(Try:
+  toile drape samples/gored_skirt/gored_skirt.dxf --size 38 --fabric jersey --out hangs
+  toile run samples/gored_skirt/shorten.toml --out shorter
+`toile drape --help` and `toile run --help` say what these need and what they write; look at report.html first.
+)";
 
 // What all verbs share.
 struct Common {
@@ -90,21 +97,40 @@ CLI::App* add_drape(CLI::App& app, DrapeOptions& options) {
   drape->add_option("pattern", options.pattern, "AAMA DXF or GarmentCode JSON")->required()->type_name("PATTERN");
   drape->add_option("--seams", options.seams, "what is sewn to what (default: NAME.seams.toml beside the pattern)")
       ->type_name("FILE");
-  drape->add_option("--units", options.units, "of a pattern that does not say: mm, cm, m, in");
-  auto* size = drape->add_option("--size", options.size, "of the mannequin: a row of the size chart")->capture_default_str();
-  drape->add_option("--chart", options.chart, "size chart: templates/mannequins/NAME.csv")->capture_default_str();
+  drape->add_option("--units", options.units, "of the pattern's numbers, when its file does not say: mm, cm, m, in")
+      ->type_name("UNIT");
+  auto* size = drape->add_option("--size", options.size, "of the mannequin: a row of the size chart")
+                   ->type_name("SIZE")
+                   ->capture_default_str();
+  drape->add_option("--chart", options.chart, "size chart of templates/mannequins: women, men")
+      ->type_name("NAME")
+      ->capture_default_str();
   auto* body = drape->add_option("--body", options.body, "a body of your own (OBJ, metres, Y up) instead of a size");
   body->type_name("OBJ")->excludes(size);
   drape->add_option("--skeleton", options.skeleton, "its bones (default: NAME.skeleton.json beside the body)")
       ->type_name("JSON")
       ->needs(body);
-  drape->add_option("--fabric", options.fabric, "of templates/fabrics, or a file")->capture_default_str();
-  drape->add_option("--simulator", options.simulator, "what drapes it")->capture_default_str();
-  drape->add_option("--edge-length", options.edge_length, "of the triangles")->capture_default_str();
-  drape->add_option("--tolerance", options.tolerance, "unbalanced force / weight at which it rests")
+  drape
+      ->add_option("--fabric", options.fabric,
+                   "one of templates/fabrics (jersey, denim, silk_chiffon, ...), or the path of such a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  drape
+      ->add_option("--simulator", options.simulator,
+                   "fem; mass-spring; external:NAME or a file, a program of your own (templates/simulators)")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  drape->add_option("--edge-length", options.edge_length, "of the triangles; shorter is finer and slower")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  drape->add_option("--tolerance", options.tolerance, "it rests when unbalanced force / weight is below this")
+      ->type_name("SHARE")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  drape->add_option("--time-limit", options.time_limit, "seconds to settle in; then the best state so far, exit code 11")
+  drape
+      ->add_option("--time-limit", options.time_limit,
+                   "for coming to rest, after dressing; then the best state so far is written, exit code 11")
+      ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   drape->add_option("--go-on", options.go_on, "from the drape.obj of an earlier run of the same pattern and edge length")
       ->type_name("OBJ");
@@ -115,7 +141,7 @@ int main_program(int argc, char** argv) {
   CLI::App app("Toile: edit a garment in 3D, get back 2D patterns that drape into that shape", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
   app.require_subcommand(1);
-  app.footer(footer);
+  app.footer(std::string(examples) + "\n" + footer);
 
   RunOptions run_options;
   DrapeOptions drape_options;
