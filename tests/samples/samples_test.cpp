@@ -68,12 +68,14 @@ TEST_P(SampleDraft, SewsEveryEdgeButItsOpenings) {
       const bool sewn = std::any_of(pattern.seams.begin(), pattern.seams.end(), [&](const Seam& seam) {
         return (seam.a.piece == piece.name && seam.a.edge == edge.id) || (seam.b.piece == piece.name && seam.b.edge == edge.id);
       });
-      EXPECT_EQ(sewn, !edge.hem && edge.id != "neck") << piece.name << "." << edge.id;
+      EXPECT_EQ(sewn, !edge.hem && edge.id != "neck" && edge.id != "top") << piece.name << "." << edge.id;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, SampleDraft, testing::Values(Sample{"sheath_dress", 10e-3}, Sample{"t_shirt", 0}),
+INSTANTIATE_TEST_SUITE_P(Samples, SampleDraft,
+                         testing::Values(Sample{"sheath_dress", 10e-3}, Sample{"strapless_dress", 0}, Sample{"t_shirt", 0},
+                                         Sample{"trousers", 0}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
