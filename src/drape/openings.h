@@ -16,6 +16,9 @@ namespace toile {
 struct LimbChain {
   std::string name;
   std::vector<Eigen::Vector3d> points;
+  std::vector<std::vector<Eigen::Vector3d>> other_ways;  // out of the body, for cloth that closes over `points`: under a hood
+                                                         // forwards from the middle of the head, out of a wide sleeve down,
+                                                         // over a wide skirt sideways or up
 };
 std::vector<LimbChain> limb_chains(const Mannequin& form);
 
@@ -28,6 +31,8 @@ struct Opening {
   bool wound = false;               // some limb goes through it more than once
 };
 
+// Every chain takes the way out that passes through less cloth. An opening that is both above and below the body's middle, such
+// as the edge of a coat that is open in front, holds what sets it apart from head and feet: the hands.
 std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Mannequin& form);
 
 // Errors "drape.not-around-body" when no opening holds anything, else "drape.linked-wrong", naming the opening: nobody's limb
@@ -35,5 +40,9 @@ std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd
 // by panel, "hand.L", "hand.R" or nothing.
 Report check_openings(const std::vector<Opening>& openings, const GarmentMesh& garment,
                       const std::vector<std::string>& sleeve_of);
+
+// Errors "drape.linked-wrong", naming the limb, when no way out of the body that it has is free of cloth: it is caught in the
+// garment.
+Report check_caught(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, const Mannequin& form);
 
 }  // namespace toile

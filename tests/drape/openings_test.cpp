@@ -94,6 +94,43 @@ TEST(Openings, WhatIsWrongIsNamed) {
   EXPECT_FALSE(report.findings[0].remedy.empty());
 }
 
+// A hood: upright round the neck, bent forwards over the head, its other end before the face.
+TEST(Openings, ALimbThatClothClosesOverTakesAnotherWayOut) {
+  const Tube made = tube();
+  const Mannequin form = figure();
+  const LimbChain head = limb_chains(form).front();
+  ASSERT_EQ(head.name, "head");
+  const Eigen::Vector3d middle = head.other_ways.at(0)[head.other_ways[0].size() - 2];
+  const double bend = .12;
+  const Eigen::Vector3d centre = middle + Eigen::Vector3d(0, -.09, bend);
+  Eigen::Matrix3Xd positions(3, made.garment.vertex_count);
+  for (std::size_t p = 0; p < 2; ++p)
+    for (Eigen::Index v = 0; v < made.garment.panels[p].rest.cols(); ++v) {
+      const Eigen::Vector2d at = made.garment.panels[p].rest.col(v);
+      const double round = std::numbers::pi * (static_cast<double>(p) + at.x() / .3);
+      const double turned = std::numbers::pi / 2 * at.y() / .2;
+      const double from_centre = bend + .1 * std::cos(round);
+      positions.col(made.garment.welded[p](v)) =
+          centre + Eigen::Vector3d(.1 * std::sin(round), from_centre * std::sin(turned), -from_centre * std::cos(turned));
+    }
+  const auto found = openings(made.garment, positions, form);
+  ASSERT_EQ(found.size(), 2u);
+  for (const Opening& opening : found) EXPECT_EQ(opening.limbs, Limbs{"head"});
+  EXPECT_TRUE(check_openings(found, made.garment, Limbs(2)).ok());
+  EXPECT_TRUE(check_caught(made.garment, positions, form).ok());
+}
+
+TEST(Openings, ALimbInsideTheClothIsCaught) {
+  const Tube made = tube();
+  const Mannequin form = figure();
+  EXPECT_TRUE(check_caught(made.garment, round(made.garment, {0, .95, 0}, {0, 1, 0}, .3), form).ok());
+  // Its wall stands across both legs.
+  const Report report = check_caught(made.garment, round(made.garment, {-.1, .4, 0}, {1, 0, 0}, .1), form);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.findings.front().code, "drape.linked-wrong");
+  EXPECT_NE(report.findings.front().place.find("foot"), std::string::npos);
+}
+
 TEST(Openings, AStandWithoutLimbsHasAnUpperAndALowerEnd) {
   Mannequin stand = figure();
   stand.bones.clear();
