@@ -149,7 +149,8 @@ std::vector<std::string> sleeves(const Pattern& pattern, const GarmentMesh& garm
 
 void check_worn(const Pattern& pattern, const GarmentMesh& garment, const Body& body, std::set<int>& stuck, Dressed& dressed) {
   dressed.openings = openings(garment, dressed.positions, body.form);
-  const Report report = check_openings(dressed.openings, garment, sleeves(pattern, garment, body));
+  Report report = check_openings(dressed.openings, garment, sleeves(pattern, garment, body));
+  report.append(check_caught(garment, dressed.positions, body.form));
   dressed.links_ok = report.ok();
   for (const Opening& opening : dressed.openings)
     if (std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& finding) {
@@ -167,6 +168,7 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
                     .sweeps = options.sweeps,
                     .body_offset = options.body_offset,
                     .closed_gap = options.closed_gap,
+                    .unfold = start.narrowed < 1,
                     .progress = options.progress};
   if (most_gathered(pattern) > gathered) {
     sewing.thickness = 1e-3;

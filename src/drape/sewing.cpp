@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "collide/truncation.h"
 #include "geometry/topology.h"
@@ -18,6 +19,7 @@ constexpr double time_step = 1.0 / 120;  // s
 constexpr double speed_kept = 0.92;      // per step
 constexpr double longest_move = 5e-3;    // m per step
 constexpr double compression_share = 0.6;
+constexpr double unfolding_from = 0.75;  // of the shrinking
 constexpr double longest_reach = 12e-3;  // m, of the search for cloth that is near to cloth
 constexpr double reach_share =
     0.65;                         // of the mean edge, at most: farther, every triangle is near to its neighbours' neighbours
@@ -150,6 +152,31 @@ class Mover {
   double behind_ = 0;
 };
 
+double smooth_step(double t) { return t * t * (3 - 2 * t); }
+
+// The cloth's edges on their way from the lengths they start with to those they are cut with.
+class Unfolding {
+ public:
+  Unfolding(const LoosePanels& cloth, bool from_start) : cut_edges_(&cloth.edges), cut_bends_(&cloth.bends) {
+    for (auto [cut, start] : {std::pair{cut_edges_, &start_edges_}, std::pair{cut_bends_, &start_bends_}})
+      for (const Tie& tie : *cut)
+        start->push_back(from_start ? (cloth.positions.col(tie.b) - cloth.positions.col(tie.a)).norm() : tie.length);
+    edges = cloth.edges;
+    bends = cloth.bends;
+  }
+
+  void go_to(double share) {
+    for (std::size_t i = 0; i < edges.size(); ++i) edges[i].length = std::lerp(start_edges_[i], (*cut_edges_)[i].length, share);
+    for (std::size_t i = 0; i < bends.size(); ++i) bends[i].length = std::lerp(start_bends_[i], (*cut_bends_)[i].length, share);
+  }
+
+  std::vector<Tie> edges, bends;
+
+ private:
+  const std::vector<Tie>*cut_edges_, *cut_bends_;
+  std::vector<double> start_edges_, start_bends_;
+};
+
 double widest(const std::vector<double>& gaps) { return gaps.empty() ? 0 : *std::max_element(gaps.begin(), gaps.end()); }
 
 }  // namespace
@@ -206,6 +233,7 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
   for (const auto& group : cloth.stitched)
     for (const int v : group) start[static_cast<std::size_t>(v)] = (x.col(v) - middle_of(group, x)).norm();
   Mover mover(cloth);
+  Unfolding ties(cloth, options.unfold);
   Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd::Zero(3, x.cols());
   const int steps = options.shrinking_steps + options.holding_steps;
   double gap = 0;
@@ -217,14 +245,15 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
       gap_before = gap;
     }
     const double t = std::min(1.0, static_cast<double>(step + 1) / options.shrinking_steps);
-    const double open = 1 - t * t * (3 - 2 * t);
+    const double open = 1 - smooth_step(t);
+    if (options.unfold) ties.go_to(smooth_step(std::max(0.0, (t - unfolding_from) / (1 - unfolding_from))));
     const Eigen::Matrix3Xd before = x;
     const auto& pairs = mover.pairs(x);
     const NearBody near = near_body(body, cloth, x);
     Eigen::Matrix3Xd to = x + time_step * velocity;
     for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-      for (const Tie& edge : cloth.edges) hold_length(to, edge, 1, compression_share);
-      for (const Tie& bend : cloth.bends) hold_length(to, bend, options.bending_share, options.bending_share);
+      for (const Tie& edge : ties.edges) hold_length(to, edge, 1, compression_share);
+      for (const Tie& bend : ties.bends) hold_length(to, bend, options.bending_share, options.bending_share);
       part_layers(pairs, options.thickness, to);
       push_out(body, options.body_offset, near, (options.sweeps - sweep) % 4 == 1, to);
       pull_stitches(cloth, start, open, to);

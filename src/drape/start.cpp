@@ -2,7 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "collide/intersections.h"
 #include "collide/near_pairs.h"
@@ -16,6 +18,9 @@ constexpr double clearance = 0.01;  // m, between a flat panel and the body
 constexpr double step = 0.01;       // m
 constexpr double most_lift = 0.15;  // m
 constexpr double touching = 1e-3;   // m
+constexpr std::array<double, 4> narrower{.7, .5, .3, .15};
+constexpr double half_trunk = 0.12;  // of the body's height
+constexpr double row_gap = 0.1;      // m, between the middles of panels of two rows
 
 const Placement* placement_of(const Pattern& pattern, const PanelMesh& panel) {
   const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
@@ -70,6 +75,20 @@ void part_touching(const GarmentMesh& garment, const std::vector<Eigen::Vector3d
   }
 }
 
+// The panels that move, those of about one height together, from the floor up.
+std::vector<std::vector<std::size_t>> rows_of(const std::vector<Eigen::Matrix3Xd>& placed, const std::vector<char>& moves) {
+  std::vector<std::pair<double, std::size_t>> middles;
+  for (std::size_t p = 0; p < placed.size(); ++p)
+    if (moves[p]) middles.emplace_back((placed[p].row(1).minCoeff() + placed[p].row(1).maxCoeff()) / 2, p);
+  std::sort(middles.begin(), middles.end());
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    if (i == 0 || middles[i].first - middles[i - 1].first > row_gap) rows.emplace_back();
+    rows.back().push_back(middles[i].second);
+  }
+  return rows;
+}
+
 }  // namespace
 
 Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body, double higher) {
@@ -100,26 +119,47 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
   }
   if (std::none_of(lifted.begin(), lifted.end(), [](char l) { return l != 0; })) return start;
 
-  const auto raised = [&](double lift) {
+  start.lift.assign(count, 0.0);
+  const double kept = half_trunk * body.form.height;
+  const auto raised = [&](const std::vector<double>& lift, double narrowed) {
     auto placed = start.placed;
     for (std::size_t p = 0; p < count; ++p)
       if (lifted[p]) {
-        placed[p].row(1).array() += lift;
+        placed[p].row(1).array() += lift[p];
+        for (double& x : placed[p].row(0))
+          if (std::abs(x) > kept) x = std::copysign(kept + narrowed * (std::abs(x) - kept), x);
         move_clear(body, outside[p], placed[p]);
       }
     return placed;
   };
-  int fewest = -1;
-  const auto levels = static_cast<int>(std::lround(most_lift / step));
-  for (int level = 0; level <= 2 * levels; ++level) {
-    const double lift = step * (level % 2 ? (level + 1) / 2 : -level / 2);  // 0, 1, -1, 2, -2, ... cm
-    const int blocked = blocked_stitches(loose_panels(garment, raised(lift)), body);
-    if (fewest >= 0 && blocked >= fewest) continue;
+  int fewest = blocked_stitches(loose_panels(garment, raised(start.lift, 1)), body);
+  const auto keep_if_fewer = [&](const std::vector<double>& lift, double narrowed) {
+    const int blocked = blocked_stitches(loose_panels(garment, raised(lift, narrowed)), body);
+    if (blocked >= fewest) return;
     fewest = blocked;
     start.lift = lift;
-  }
-  start.lift += higher;
-  start.placed = raised(start.lift);
+    start.narrowed = narrowed;
+  };
+  // All panels together, then row by row: a bodice may have to go up to the arms and the trousers sewn to it not.
+  const auto rows = rows_of(start.placed, lifted);
+  const auto levels = static_cast<int>(std::lround(most_lift / step));
+  const auto lift_row = [&](const std::vector<std::size_t>& row) {
+    const std::vector<double> from = start.lift;
+    for (int level = 1; level <= 2 * levels && fewest > 0; ++level) {
+      auto lift = from;
+      for (const std::size_t p : row) lift[p] += step * (level % 2 ? (level + 1) / 2 : -level / 2);  // 1, -1, 2, -2, ... cm
+      keep_if_fewer(lift, start.narrowed);
+    }
+  };
+  std::vector<std::size_t> all;
+  for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
+  lift_row(all);
+  if (rows.size() > 1)
+    for (const auto& row : rows) lift_row(row);
+  for (const double narrowed : narrower)
+    if (fewest > 0) keep_if_fewer(start.lift, narrowed);
+  for (double& lift : start.lift) lift += higher;
+  start.placed = raised(start.lift, start.narrowed);
   part_touching(garment, outside, start.placed);
   const LoosePanels cloth = loose_panels(garment, start.placed);
   start.blocked_stitches = blocked_stitches(cloth, body);

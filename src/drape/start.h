@@ -14,7 +14,9 @@ namespace toile {
 
 struct Start {
   std::vector<Eigen::Matrix3Xd> placed;  // by panel
-  double lift = 0;                       // m, by which the panels of the trunk were raised
+  std::vector<double> lift;              // m, by panel, by which those of the trunk were raised
+  double narrowed = 1;                   // share of their width beside the trunk that its panels have, so that wide ones are
+                                         // sewn between the arms; they unfold while they are sewn
   int blocked_stitches = 0;              // whose straight line goes through the body
   int intersections = 0;                 // pairs of triangles
 };
