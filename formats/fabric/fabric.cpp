@@ -17,6 +17,8 @@ struct Field {
   bool TestedKeys::*tested;  // by a [test] table instead; none
 };
 
+constexpr Quantity bend_friction = quantity("bend_friction", moment_units, 0, .1, "0.3 mN");
+constexpr double usual_bend_friction = 30;  // 1/m, of the mean bending stiffness: where suitings and denims lie around
 constexpr Quantity friction{"friction", nullptr, 0, 0, 2, "0.4"};
 constexpr std::array fields = {
     Field{quantity("area_density", per_area, .01, 2, "115 g/m^2"), &Fabric::area_density, &TestedKeys::area_density},
@@ -59,7 +61,7 @@ Loaded<Fabric> read_fabric(const std::filesystem::path& path) {
   if (!root.value) return out;
   refuse_unknown_keys(*root.value,
                       {"name", "source", "area_density", "stretch_warp", "stretch_weft", "stretch_cross", "shear", "bend_warp",
-                       "bend_weft", "friction", "thickness", "most_stretch", "test"},
+                       "bend_weft", "bend_friction", "friction", "thickness", "most_stretch", "test"},
                       file, "fabric.unknown-key", out.report);
   Fabric fabric;
   fabric.name = path.stem().string();
@@ -79,6 +81,9 @@ Loaded<Fabric> read_fabric(const std::filesystem::path& path) {
   }
   read_fields(*root.value, test ? tested_keys(*test) : TestedKeys{}, file, fabric, out.report);
   if (test && out.report.ok()) apply_tests(*test, file, fabric, out.report);
+  fabric.bend_friction = usual_bend_friction * (fabric.bend_warp + fabric.bend_weft) / 2;
+  if (const TomlNode* node = find(*root.value, bend_friction.key))
+    fabric.bend_friction = quantity_in(*node, bend_friction, file, out.report).value_or(0);
   if (out.report.ok() && fabric.stretch_cross * fabric.stretch_cross >= fabric.stretch_warp * fabric.stretch_weft)
     out.report.error(
         "fabric.unstable", toml_place(file, *find(*root.value, "stretch_cross")),

@@ -24,6 +24,9 @@ inline constexpr std::array<Unit, 6> per_area = {
 inline constexpr std::array<Unit, 4> force_per_length = {{{"N/m", 1}, {"kN/m", 1e3}, {"N/cm", 1e2}, {"gf/cm", 0.980665}}};
 inline constexpr std::array<Unit, 5> bending_units = {
     {{"N m", 1}, {"mN m", 1e-3}, {"uN m", 1e-6}, {"\u00b5N m", 1e-6}, {"gf cm^2/cm", 9.80665e-5}}};
+// Moment per width: a Kawabata tester prints 2HB in gf cm/cm.
+inline constexpr std::array<Unit, 5> moment_units = {
+    {{"N", 1}, {"mN", 1e-3}, {"uN", 1e-6}, {"\u00b5N", 1e-6}, {"gf cm/cm", 9.80665e-3}}};
 inline constexpr std::array<Unit, 3> lengths = {{{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}}};
 inline constexpr std::array<Unit, 1> shares = {{{"%", 1e-2}}};
 // A mass stands for its weight.

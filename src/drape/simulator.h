@@ -36,6 +36,7 @@ struct Simulator {
   std::string name;
   std::string summary;
   std::function<Drape(const DrapeRequest&)> drape;
+  bool holds_bends = false;  // takes the fabric's bend_friction, from the start on
 };
 
 const std::vector<Simulator>& simulators();  // those of this program

@@ -10,9 +10,11 @@ namespace toile {
 
 const std::vector<Simulator>& simulators() {
   static const std::vector<Simulator> list{
-      {"fem", "quasi-static finite elements: orthotropic membrane, bending, contact, start-anchored friction", fem::drape},
-      {"fem-projected", "the same energy by projected Newton: slower, the reference for fem", fem::drape_projected},
-      {"mass-spring", "edge springs moved to rest in small steps, strain limited, velocity friction", mass_spring::drape},
+      {"fem", "quasi-static finite elements: orthotropic membrane, bending, contact, start-anchored friction", fem::drape,
+       true},
+      {"fem-projected", "the same energy by projected Newton: slower, the reference for fem", fem::drape_projected, true},
+      {"mass-spring", "edge springs moved to rest in small steps, strain limited, velocity friction", mass_spring::drape,
+       false},
   };
   return list;
 }

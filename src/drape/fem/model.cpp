@@ -48,6 +48,7 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
   const Eigen::VectorXd layers = triangle_layers(garment);
   model.body = &body;
   model.hinges = bending_hinges(garment, fabric);
+  model.bend_frictions = bend_frictions(garment, fabric, model.hinges);
   const auto shapes = rest_triangles(garment);
   model.mass = Eigen::VectorXd::Zero(garment.vertex_count);
   std::size_t t = 0;
@@ -70,6 +71,7 @@ Frozen frozen_at(const Model& model, const Eigen::Matrix3Xd& start) {
   frozen.vertex.resize(static_cast<std::size_t>(start.cols()));
   frozen.touched.assign(static_cast<std::size_t>(start.cols()), 0);
   update_friction(model, start, 1, frozen);
+  for (const Hinge& hinge : model.hinges) frozen.bent.push_back(hinge_angle(hinge, start));
   return frozen;
 }
 
@@ -105,7 +107,10 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
 double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
   double sum = 0;
   for (const MembraneElement& element : model.triangles) sum += membrane_energy(element, model.law, corners(element, x));
-  for (const Hinge& hinge : model.hinges) sum += hinge.stiffness / 2 * hinge_vector(hinge, x).squaredNorm();
+  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
+    sum += model.hinges[h].stiffness / 2 * hinge_vector(model.hinges[h], x).squaredNorm();
+    sum += bend_friction_energy(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x);
+  }
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     sum -= gravity * model.mass(v) * model.weight_direction.dot(x.col(v));
     sum += normal_energy(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
@@ -156,6 +161,11 @@ Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matr
 void add_friction(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient) {
   for (Eigen::Index v = 0; v < x.cols(); ++v)
     gradient.col(v) += friction_gradient(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
+  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
+    Vector12 local = Vector12::Zero();
+    bend_friction_derivatives(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x, Curvature::full, local, nullptr);
+    for (int i = 0; i < 4; ++i) gradient.col(model.hinges[h].vertex[static_cast<std::size_t>(i)]) += local.segment<3>(3 * i);
+  }
 }
 
 std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
@@ -187,6 +197,16 @@ void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& 
       for (std::size_t j = 0; j <= i; ++j)
         matrix.add(element.vertex[i], element.vertex[j],
                    local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
+  }
+  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
+    if (model.bend_frictions[h].moment <= 0) continue;
+    Vector12 ignored = Vector12::Zero();
+    Matrix12 local = Matrix12::Zero();
+    bend_friction_derivatives(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x, curvature, ignored, &local);
+    const auto& vertex = model.hinges[h].vertex;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        matrix.add(vertex[i], vertex[j], local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
   }
   const auto contact_block = [&](const Eigen::Vector3d& at, double distance, double area) -> Eigen::Matrix3d {
     const DistanceSample sample = model.body->distance.sample(at);

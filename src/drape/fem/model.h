@@ -1,6 +1,7 @@
 #pragma once
-// The energy that the fem simulator minimises: membrane + bending + weight + body contact + friction (anchored, normal forces
-// lagged) + contact of the cloth with itself (pairs and normals lagged). One energy for every solver and every test.
+// The energy that the fem simulator minimises: membrane + bending + weight + body contact + friction on the body (anchored,
+// normal forces lagged) and in the bent cloth (anchored) + contact of the cloth with itself (pairs and normals lagged). One
+// energy for every solver and every test.
 
 #include <Eigen/Core>
 #include <array>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "body/body.h"
+#include "drape/fem/bend_friction.h"
 #include "drape/fem/bending.h"
 #include "drape/fem/contact.h"
 #include "drape/fem/membrane.h"
@@ -31,8 +33,9 @@ struct Model {
   ContactLaw contact;
   std::vector<MembraneElement> triangles;
   std::vector<Hinge> hinges;
-  Eigen::VectorXd mass;          // kg by vertex
-  Eigen::VectorXd contact_area;  // m^2 by vertex: a quarter of its rest area; the rest is at the edges' midpoints
+  std::vector<BendFriction> bend_frictions;  // by hinge
+  Eigen::VectorXd mass;                      // kg by vertex
+  Eigen::VectorXd contact_area;              // m^2 by vertex: a quarter of its rest area; the rest is at the edges' midpoints
   std::vector<ContactEdge> contact_edges;
   CollisionMesh cloth;  // what collides with itself
   const Body* body = nullptr;
@@ -41,10 +44,12 @@ struct Model {
 
 Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body);
 
-// What is frozen while the energy is minimised: friction by vertex, anchors from the start, and where the cloth touches itself.
+// What is frozen while the energy is minimised: friction by vertex and by hinge, anchors from the start, and where the cloth
+// touches itself.
 struct Frozen {
   std::vector<FrictionState> vertex;
   std::vector<char> touched;  // has been in contact: its anchor stands
+  std::vector<double> bent;   // rad, by hinge: the angle at the start
   SelfContact self;
 };
 
