@@ -73,6 +73,29 @@ TEST(Sewing, ADartClosesOnItself) {
   EXPECT_LT(longest, 1.1);
 }
 
+TEST(Sewing, APanelThatStartsNarrowedUnfoldsToTheWidthItIsCutWith) {
+  Pattern pattern;
+  pattern.pieces = {rectangle("front", .3, .1)};
+  const GarmentMesh garment = sew(pattern, triangulate(pattern, {.edge_length = .03}));
+  Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Constant(3, garment.panels[0].rest.cols(), .4);
+  flat.topRows<2>() = garment.panels[0].rest;
+  flat.row(0) *= .5;
+  flat.row(1).array() += 1;
+  const auto width = [](const LoosePanels& cloth) {
+    return cloth.positions.row(0).maxCoeff() - cloth.positions.row(0).minCoeff();
+  };
+  LoosePanels cloth = loose_panels(garment, {flat});
+  LoosePanels early = cloth;
+  draw_together({.shrinking_steps = 80, .holding_steps = 40, .unfold = true}, figure_body(), cloth);
+  EXPECT_NEAR(width(cloth), .3, 3e-3);
+  double at_half = 0;
+  const auto watch = [&](int step, int) {
+    if (step == 40) at_half = width(early);
+  };
+  draw_together({.shrinking_steps = 80, .holding_steps = 0, .unfold = true, .progress = watch}, figure_body(), early);
+  EXPECT_NEAR(at_half, .15, 1e-3) << "not before the stitches are nearly closed";
+}
+
 // A sleeve of two rectangles, placed flat before and behind the arm as if it hung 30 degrees from the level: the figure's arm
 // hangs 45.
 Pattern sleeve() {
