@@ -55,14 +55,34 @@ TEST(Length, SlidesTheHemByFifteenCentimetresWithItsFolds) {
   EXPECT_TRUE(deviation.flipped.empty());
   EXPECT_LT(deviation.most_stretch, 1.6);
   EXPECT_GT(deviation.least_stretch, 0.8);
-  EXPECT_LT(target.after.shape, 0.05 * target.before.shape);
+  EXPECT_LT(target.after.shape, 1e-4);
 }
 
-TEST(Length, MovesTheLoopExactlyAsFarAsAskedAndNothingBeyondTheAnchor) {
+// Beyond its hem a skirt without folds goes on as it hangs: as one that was longer from the beginning.
+TEST(Length, CarriesTheClothOnBeyondTheHem) {
+  const SkirtShape shape{.folds = 0, .fold_depth = 0, .jitter = 0};
+  SkirtShape longer = shape;
+  longer.length += 0.10;
+  const Scene plain(shape);
+  const Target target = plain.length({{"by", "10 cm"}});
+  const SyntheticSkirt whole = synthetic_skirt(longer);
+  const SurfaceDistance off =
+      surface_distance({target.positions, target.garment.triangles}, {whole.drape, whole.garment.triangles});
+  EXPECT_LT(off.hausdorff, 2e-3);
+  EXPECT_LT(off.mean, 0.2e-3);
+}
+
+TEST(Length, MovesTheLoopAsFarAsAskedAndNothingBeyondTheAnchor) {
   for (const double by : {0.10, -0.10, -0.20}) {
     const Target target = small().length({{"by", std::to_string(by) + " m"}});
     ASSERT_EQ(target.held.size(), 48u);
-    for (const int v : target.held) EXPECT_NEAR(target.source(1, v) - target.positions(1, v), by, 1e-12);
+    double mean = 0;
+    for (const int v : target.held) {
+      const double moved = target.source(1, v) - target.positions(1, v);
+      EXPECT_NEAR(moved, by, 0.1 * std::abs(by)) << "the same length of cloth all round, not of height";
+      mean += moved / 48;
+    }
+    EXPECT_NEAR(mean, by, 1e-5);
     double lowest = 2;
     for (const int v : target.anchor) lowest = std::min(lowest, target.source(1, v));
     EXPECT_GT(lowest, 0.7);
@@ -154,7 +174,7 @@ TEST(Length, MovesALoopInTheMiddleAndWhatIsBelowFollowsOrStays) {
 
 TEST(Length, MovesTheWaistUpAgainstTheHip) {
   const Target target = small().length({{"by", "3 cm"}, {"loop", "waist"}, {"anchor", "hip"}});
-  for (const int v : target.held) EXPECT_NEAR(target.positions(1, v) - target.source(1, v), 0.03, 1e-12);
+  for (const int v : target.held) EXPECT_NEAR(target.positions(1, v) - target.source(1, v), 0.03, 1e-3);
   for (int v = 20 * 48; v < 30 * 48; ++v) EXPECT_EQ(target.positions.col(v), target.source.col(v));
 }
 

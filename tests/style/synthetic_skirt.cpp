@@ -127,7 +127,8 @@ SyntheticSkirt synthetic_skirt(const SkirtShape& shape) {
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
       const double dr = shape.length / (rows - 1), da = 2 * pi / columns;
-      angle(r, c) = da * (c + shape.jitter * scatter.next());
+      const double aside = shape.jitter * scatter.next();
+      angle(r, c) = da * (c + (c % wide == 0 ? 0 : aside));  // seams run straight down
       drop(r, c) = dr * (r + (r == 0 || r == rows - 1 ? 0 : shape.jitter * scatter.next()));
       skirt.drape.col(r * columns + c) = skirt_point(shape, angle(r, c), drop(r, c));
     }

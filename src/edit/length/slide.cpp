@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/length/trim.h"
+#include "edit/length/on_cloth.h"
 
 namespace toile {
 namespace {
@@ -155,9 +155,15 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   // source's where it now lies.
   std::vector<SourceTriangle> reference = triangles;
   Eigen::Matrix3Xd shape = input.drape;
-  if (const auto part = trimmed(input, handles, options.by)) {
-    slid.positions = slid.initial = shape = *part;
+  const auto on_cloth = slid_on_cloth(input, handles, options.by);
+  if (on_cloth && normal_deviation(triangles, input.drape, *on_cloth).flipped.empty()) {
+    slid.positions = slid.initial = shape = *on_cloth;
     reference = source_triangles(shape, input.garment.triangles);
+    if (options.by > 0) {  // cloth that was added may lie in the body
+      for (const Handle& handle : handles)
+        for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(shape.col(v)));
+      slid = solve_style(shape, reference, hard, terms.all(), style);
+    }
   } else {
     for (const Handle& handle : handles)
       for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);

@@ -1,0 +1,59 @@
+#pragma once
+// A panel between its rest shape and its drape: where a point of the cloth hangs, also of cloth that would be added at an edge.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "garment/mesh.h"
+
+namespace toile {
+
+class PanelChart {
+ public:
+  // `draped`: 3 x panel vertices. Both are kept by reference.
+  PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped) : panel_(panel), draped_(draped) {}
+
+  // The draped place of a point of the rest shape (2, m); a little outside it, of the nearest triangle carried on.
+  Eigen::Vector3d at(const Eigen::Vector2d& rest) const;
+  bool contains(const Eigen::Vector2d& rest) const;
+
+ private:
+  struct Found {
+    int triangle = -1;
+    double inside = 0;  // least barycentric coordinate, negative outside
+    Eigen::Vector3d weights;
+  };
+  Found find(const Eigen::Vector2d& rest) const;
+
+  const PanelMesh& panel_;
+  const Eigen::Matrix3Xd& draped_;
+};
+
+// An edge of a panel beyond which its cloth is carried on: straight, as the cloth behind the edge hangs in the mean over
+// `behind` metres, and neither stretched nor compressed.
+class CarriedOn {
+ public:
+  // `edge`: vertices in order; `direction`: a column for each, the way the cloth goes on in the rest shape, of any length.
+  CarriedOn(const PanelMesh& panel, const PanelChart& chart, std::vector<int> edge, Eigen::Matrix2Xd direction, double behind);
+
+  Eigen::Vector3d at(const Eigen::Vector2d& rest) const;
+  double distance(const Eigen::Vector2d& rest) const { return (rest - point(nearest(rest))).norm(); }  // m, from the edge
+
+ private:
+  // A point of the edge: between its vertices `first` and `first + 1`.
+  struct Place {
+    std::size_t first = 0;
+    double share = 0;
+  };
+  Eigen::Vector2d point(const Place& place) const;
+  Eigen::Vector2d direction(const Place& place) const;  // unit
+  Place nearest(const Eigen::Vector2d& rest) const;
+
+  const PanelMesh& panel_;
+  const PanelChart& chart_;
+  std::vector<int> edge_;
+  Eigen::Matrix2Xd direction_;
+  double behind_;
+};
+
+}  // namespace toile
