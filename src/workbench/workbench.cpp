@@ -156,7 +156,8 @@ Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, d
                         std::to_string(worn.garment.vertex_count),
                     "Go on with the pattern and edge length that it was made with"});
   worn.openings = openings(worn.garment, start, scene.body.form);
-  const Report linked = check_openings(worn.openings, worn.garment, std::vector<std::string>(worn.garment.panels.size()));
+  Report linked = check_openings(worn.openings, worn.garment, std::vector<std::string>(worn.garment.panels.size()));
+  linked.append(check_caught(worn.garment, start, scene.body.form));
   worn.links_ok = linked.ok();
   worn.report.append(linked);
   settle(worn, scene, start, tolerance, control);
