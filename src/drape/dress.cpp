@@ -13,6 +13,7 @@
 #include "drape/limb_panels.h"
 #include "drape/sewing.h"
 #include "drape/start.h"
+#include "drape/untangle.h"
 #include "garment/units.h"
 
 namespace toile {
@@ -182,6 +183,7 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
   check_seams(pattern, garment, cloth, options.closed_gap, stuck, dressed);
   dressed.positions.resize(3, garment.vertex_count);
   weld(cloth, dressed.positions);
+  if (dressed.open_seams.empty()) untangle(garment, body, options.body_offset, dressed.positions);
   check_intersections(garment, stuck, dressed);
   check_outside(garment, body, stuck, dressed);
   check_worn(pattern, garment, body, stuck, dressed);
