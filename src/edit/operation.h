@@ -3,9 +3,9 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "body/body.h"
@@ -18,17 +18,28 @@ namespace toile {
 // A parameter describes itself; flags, recipe checks and help come from this table.
 struct Parameter {
   std::string name;
-  std::string unit;  // "m" (given with its unit), "" (a number), "loop" (a name)
+  std::string unit;  // "m", "deg" (given with their unit), "" (a number), "loop", "size", "file" (names)
   std::string meaning;
   std::optional<double> least, most;
   std::optional<std::string> by_default;  // as it would be written in a recipe; absent: must be given
+  std::string instead_of = {};            // another parameter, of which exactly this or that is given
 };
+
+// A body that an edit names: a size of a chart, or a file.
+struct BodyName {
+  std::string size;            // as in the chart; empty: the file says it
+  std::string file, skeleton;  // as written; no skeleton: the one beside the file
+  bool operator==(const BodyName&) const = default;
+};
+// Makes it; throws BadInput. `place` is for messages.
+using FindBody = std::function<std::shared_ptr<const Body>(const BodyName& name, const std::string& place)>;
 
 struct EditInput {
   const Pattern& pattern;
   const GarmentMesh& garment;
   const Eigen::Matrix3Xd& drape;  // source positions
   const Body& body;
+  FindBody find_body = {};  // for operations that name another body; without it they are refused
 };
 
 using EditArguments = std::map<std::string, std::string>;  // as written: {"loop", "hem"}, {"by", "-10 cm"}

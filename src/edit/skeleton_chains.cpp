@@ -88,4 +88,12 @@ Threading threading(const std::vector<SkeletonChain>& chains, const Eigen::Matri
   return found;
 }
 
+bool round_trunk(const Threading& ring) { return ring.heads > 0 || ring.feet > 1 || ring.hands > 1; }
+
+bool same_limb(const Threading& loop, const Threading& ring) {
+  if (ring.nothing()) return false;
+  if (loop.nothing() || round_trunk(loop)) return ring.round_trunk_or_leg();
+  return ring.chains == loop.chains || (loop.feet == 1 && round_trunk(ring));
+}
+
 }  // namespace toile

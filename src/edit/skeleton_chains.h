@@ -39,4 +39,8 @@ struct Threading {
 
 Threading threading(const std::vector<SkeletonChain>& chains, const Eigen::Matrix3Xd& positions, const VertexLoop& loop);
 
+bool round_trunk(const Threading& ring);
+// `ring` is round what `loop` is round, or round the trunk that its leg goes on into.
+bool same_limb(const Threading& loop, const Threading& ring);
+
 }  // namespace toile

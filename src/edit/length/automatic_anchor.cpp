@@ -4,17 +4,6 @@
 #include <set>
 
 namespace toile {
-namespace {
-
-bool round_trunk(const Threading& ring) { return ring.heads > 0 || ring.feet > 1 || ring.hands > 1; }
-
-bool same_limb(const Threading& loop, const Threading& ring) {
-  if (ring.nothing()) return false;
-  if (loop.nothing() || round_trunk(loop)) return ring.round_trunk_or_leg();
-  return ring.chains == loop.chains || (loop.feet == 1 && round_trunk(ring));
-}
-
-}  // namespace
 
 AutomaticAnchor automatic_anchor(const EditInput& input, const LevelMesh& mesh, const ContactRegion& contact,
                                  const VertexLoop& loop, const Eigen::Vector3d& axis, double level,

@@ -3,11 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "edit/length/automatic_anchor.h"
 #include "edit/loops.h"
+#include "edit/reach.h"
 
 namespace toile {
 namespace {
@@ -15,75 +15,12 @@ namespace {
 const char* const loop_place = "edit 'length', loop";
 const char* const anchor_place = "edit 'length', anchor";
 
-using Neighbours = std::vector<std::vector<int>>;
-
-Neighbours neighbours_of(const LevelMesh& mesh, Eigen::Index count) {
-  Neighbours neighbours(static_cast<std::size_t>(count));
-  for (const MeshEdge& edge : mesh.edges) {
-    neighbours[static_cast<std::size_t>(edge.vertex[0])].push_back(edge.vertex[1]);
-    neighbours[static_cast<std::size_t>(edge.vertex[1])].push_back(edge.vertex[0]);
-  }
-  return neighbours;
-}
-
-std::vector<int> reached(const Neighbours& neighbours, const VertexLoop& from, const std::set<int>& blocked) {
-  std::vector<bool> seen(neighbours.size(), false);
-  std::vector<int> stack;
-  for (const int v : from)
-    if (!blocked.count(v)) stack.push_back(v);
-  std::vector<int> found;
-  while (!stack.empty()) {
-    const int v = stack.back();
-    stack.pop_back();
-    if (seen[static_cast<std::size_t>(v)]) continue;
-    seen[static_cast<std::size_t>(v)] = true;
-    found.push_back(v);
-    for (const int next : neighbours[static_cast<std::size_t>(v)])
-      if (!seen[static_cast<std::size_t>(next)] && !blocked.count(next)) stack.push_back(next);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-bool touches(const Neighbours& neighbours, const VertexLoop& ring, const std::vector<int>& part) {
-  return std::any_of(ring.begin(), ring.end(), [&](int v) {
-    const auto& next = neighbours[static_cast<std::size_t>(v)];
-    return std::any_of(next.begin(), next.end(), [&](int w) { return std::binary_search(part.begin(), part.end(), w); });
-  });
-}
-
-// The way the limb runs that most of the loop belongs to; straight down for limbs that hang nearly so.
-Eigen::Vector3d limb_direction(const std::vector<RelativePlace>& places, const VertexLoop& loop) {
-  std::map<int, int> votes;
-  for (const int v : loop) ++votes[places[static_cast<std::size_t>(v)].limb];
-  const int limb =
-      std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const int v : loop)
-    if (places[static_cast<std::size_t>(v)].limb == limb) sum += places[static_cast<std::size_t>(v)].axis;
-  const Eigen::Vector3d axis = sum.normalized();
-  return axis.y() < -std::cos(0.26) ? Eigen::Vector3d(-Eigen::Vector3d::UnitY()) : axis;
-}
-
-// The side of a level's plane that is towards `way`, or against it.
-LevelSide side_of(const NamedLoops& named, const Eigen::Vector3d& way) {
-  return named.level && named.level->normal().dot(way) < 0 ? LevelSide::before : LevelSide::after;
-}
-
-// Axis coordinate of a loop in the mean, or of the plane that names it.
-double level_of(const NamedLoops& named, const Eigen::Matrix3Xd& positions, const VertexLoop& loop,
-                const Eigen::Vector3d& axis) {
-  if (named.level && std::abs(named.level->normal().dot(axis)) > 0.999)
-    return -named.level->offset() / named.level->normal().dot(axis);
-  return axis.dot(loop_centre(positions, loop));
-}
-
 }  // namespace
 
 std::vector<Handle> make_handles(const EditInput& input, const std::string& loop_name, const std::vector<RelativePlace>& places,
                                  const ContactRegion& contact, const std::string& anchor, double by) {
   const LevelMesh mesh = level_mesh(input.garment.triangles);
-  const Neighbours neighbours = neighbours_of(mesh, input.drape.cols());
+  const VertexNeighbours neighbours = neighbours_of(mesh, input.drape.cols());
   std::set<int> on_boundary;
   for (const MeshEdge& edge : mesh.edges)
     if (edge.triangle[1] < 0) on_boundary.insert(edge.vertex.begin(), edge.vertex.end());

@@ -3,122 +3,49 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "edit/body_terms.h"
 #include "edit/length/on_cloth.h"
 
 namespace toile {
 namespace {
 
-constexpr double most_wanted_gap = 2e-3;  // m
-
-// The distance at which the source lies on the body, so that a vertex that newly touches does not stand out from its
-// neighbours.
-double wanted_gap(const ContactRegion& contact) {
-  double sum = 0;
-  int count = 0;
-  for (const double gap : contact.gap) {
-    if (gap >= most_wanted_gap) continue;
-    sum += std::max(0.0, gap);
-    ++count;
+BodyTerms body_terms(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
+                     const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options) {
+  const Eigen::Index count = input.drape.cols();
+  const Eigen::VectorXd areas = vertex_areas(triangles, count);
+  const StyleWeights weights = style_weights(input.body.form.height);
+  std::vector<const Handle*> handle_of(static_cast<std::size_t>(count), nullptr);
+  for (const Handle& handle : handles)
+    for (const int v : handle.moving) handle_of[static_cast<std::size_t>(v)] = &handle;
+  BodyWishes wishes;
+  wishes.release = Eigen::VectorXd::Zero(count);
+  wishes.offset = Eigen::VectorXd::Zero(count);
+  wishes.least = contact.gap.cwiseMin(contact_distance(contact.gap));
+  for (Eigen::Index v = 0; v < count; ++v) {
+    const auto at = static_cast<std::size_t>(v);
+    const Handle* handle = handle_of[at];
+    wishes.moves.push_back(handle != nullptr);
+    wishes.limb.push_back(places[at].limb);
+    wishes.offset(v) = places[at].offset;
+    if (handle && contact.tight[at] && places[at].through_skin)
+      wishes.release(v) = smoothstep(std::abs(handle->level - handle->axis.dot(input.drape.col(v))), 0, options.release);
   }
-  return count > 0 ? sum / count : most_wanted_gap;
+  for (const Handle& handle : handles)
+    for (const int v : handle.loop) wishes.release(v) = 0;
+  for (const VertexLoop& loop : options.stays)
+    for (const int v : loop)
+      if (const Handle* handle = handle_of[static_cast<std::size_t>(v)])
+        wishes.proportion.push_back(proportion_term(v, handle->axis, handle->axis.dot(input.drape.col(v)), areas(v), weights));
+  // Fit is let go where the garment has slid out of the zone it was tight in.
+  wishes.keep = [handle_of](int v, const Eigen::Vector3d& at) {
+    const Handle& handle = *handle_of[static_cast<std::size_t>(v)];
+    if (!handle.tight_edge) return 1.0;
+    return 1 - smoothstep(handle.axis.dot(at), *handle.tight_edge - 0.02, *handle.tight_edge + 0.02);
+  };
+  return {input.body, areas, std::move(wishes)};
 }
-
-class BodyTerms {
- public:
-  BodyTerms(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
-            const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options)
-      : input_(input),
-        places_(places),
-        contact_(contact),
-        axes_(limb_axes(input.body.form)),
-        weights_(style_weights(input.body.form.height)),
-        wanted_gap_(wanted_gap(contact)),
-        areas_(vertex_areas(triangles, input.drape.cols())),
-        handle_of_(static_cast<std::size_t>(input.drape.cols()), nullptr),
-        release_(Eigen::VectorXd::Zero(input.drape.cols())),
-        pushes_(static_cast<std::size_t>(input.drape.cols()), 0) {
-    for (const Handle& handle : handles)
-      for (const int v : handle.moving) handle_of_[static_cast<std::size_t>(v)] = &handle;
-    for (Eigen::Index v = 0; v < input.drape.cols(); ++v) {
-      const Handle* handle = handle_of_[static_cast<std::size_t>(v)];
-      if (!handle || !contact.tight[static_cast<std::size_t>(v)]) continue;
-      release_(v) = smoothstep(std::abs(handle->level - handle->axis.dot(input.drape.col(v))), 0, options.release);
-    }
-    for (const Handle& handle : handles)
-      for (const int v : handle.loop) release_(v) = 0;
-    for (const VertexLoop& loop : options.stays)
-      for (const int v : loop)
-        if (const Handle* handle = handle_of_[static_cast<std::size_t>(v)])
-          proportion_.push_back(proportion_term(v, handle->axis, handle->axis.dot(input.drape.col(v)), areas_(v), weights_));
-  }
-
-  const std::vector<SoftTerm>& proportion() const { return proportion_; }
-
-  // E_fit with the skin that is now under each vertex; let go where the garment has slid out of the zone it was tight in.
-  std::vector<SoftTerm> fit(const Eigen::Matrix3Xd& x) const {
-    std::vector<SoftTerm> terms;
-    for (Eigen::Index v = 0; v < x.cols(); ++v) {
-      if (!(release_(v) > 0)) continue;
-      const Handle& handle = *handle_of_[static_cast<std::size_t>(v)];
-      const RelativePlace& source = places_[static_cast<std::size_t>(v)];
-      const double keep = handle.tight_edge
-                              ? 1 - smoothstep(handle.axis.dot(x.col(v)), *handle.tight_edge - 0.02, *handle.tight_edge + 0.02)
-                              : 1;
-      if (!(keep > 0) || !source.through_skin) continue;
-      const RelativePlace now =
-          relative_place(input_.body, axes_[static_cast<std::size_t>(source.limb)], source.limb, x.col(v));
-      if (!now.through_skin) continue;
-      terms.push_back(
-          fit_term(static_cast<int>(v), {now.on_skin, now.outward}, source.offset, release_(v) * keep, areas_(v), weights_));
-    }
-    return terms;
-  }
-
-  double least_gap(int v) const { return std::min(wanted_gap_, contact_.gap(v)); }
-
-  std::vector<SoftTerm> contact(const Eigen::Matrix3Xd& x) {
-    std::vector<SoftTerm> terms;
-    for (Eigen::Index i = 0; i < x.cols(); ++i) {
-      const auto v = static_cast<std::size_t>(i);
-      if (!handle_of_[v]) continue;
-      const double least = least_gap(static_cast<int>(i));
-      const DistanceSample sample = input_.body.distance.sample(x.col(i));
-      if (sample.distance > least + (pushes_[v] > 0 ? 2e-4 : -1e-5)) continue;
-      if (sample.distance < least - 1e-4) ++pushes_[v];
-      const double slope = std::max(1e-6, sample.gradient.norm());
-      const Eigen::Vector3d outward = sample.gradient / slope;
-      SoftTerm term = contact_term(static_cast<int>(i), {x.col(i) - outward * sample.distance / slope, outward}, least,
-                                   areas_(i), weights_);
-      term.weight *= std::pow(3.0, std::min(5, std::max(0, pushes_[v] - 1)));
-      terms.push_back(term);
-    }
-    return terms;
-  }
-
-  SoftTermsAt all() {
-    return [this](const Eigen::Matrix3Xd& x, int round) {
-      std::vector<SoftTerm> terms = proportion_;
-      const auto append = [&](const std::vector<SoftTerm>& more) { terms.insert(terms.end(), more.begin(), more.end()); };
-      append(fit(x));
-      if (round > 0) append(contact(x));
-      return terms;
-    };
-  }
-
- private:
-  const EditInput& input_;
-  const std::vector<RelativePlace>& places_;
-  const ContactRegion& contact_;
-  std::vector<LimbAxis> axes_;
-  StyleWeights weights_;
-  double wanted_gap_;
-  Eigen::VectorXd areas_;
-  std::vector<const Handle*> handle_of_;  // what a vertex moves with; null when it is held
-  Eigen::VectorXd release_;               // rho of E_fit
-  std::vector<int> pushes_;               // rounds in which the vertex was found too near the body
-  std::vector<SoftTerm> proportion_;
-};
 
 // Everything between anchor and loop scaled along the axis, everything beyond the loop shifted.
 Eigen::Matrix3Xd scaled_along(const EditInput& input, const std::vector<Handle>& handles, double by) {
@@ -146,7 +73,7 @@ HardConstraints all_but_moving(const EditInput& input, const std::vector<Handle>
 Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
                  const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options,
                  double in_plane_pull) {
-  BodyTerms terms(input, handles, places, contact, triangles, options);
+  BodyTerms terms = body_terms(input, handles, places, contact, triangles, options);
   StyleOptions style;
   style.in_plane_pull = in_plane_pull;
   HardConstraints hard = all_but_moving(input, handles);

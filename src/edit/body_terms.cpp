@@ -1,0 +1,78 @@
+#include "edit/body_terms.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace toile {
+namespace {
+
+constexpr double most_wanted_gap = 2e-3;  // m
+
+}  // namespace
+
+double contact_distance(const Eigen::VectorXd& gaps) {
+  double sum = 0;
+  int count = 0;
+  for (const double gap : gaps) {
+    if (gap >= most_wanted_gap) continue;
+    sum += std::max(0.0, gap);
+    ++count;
+  }
+  return count > 0 ? sum / count : most_wanted_gap;
+}
+
+BodyTerms::BodyTerms(const Body& body, const Eigen::VectorXd& areas, BodyWishes wishes)
+    : body_(body),
+      axes_(limb_axes(body.form)),
+      weights_(style_weights(body.form.height)),
+      areas_(areas),
+      wishes_(std::move(wishes)),
+      pushes_(wishes_.moves.size(), 0) {}
+
+std::vector<SoftTerm> BodyTerms::fit(const Eigen::Matrix3Xd& x) const {
+  std::vector<SoftTerm> terms;
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    if (!(wishes_.release(v) > 0)) continue;
+    const double keep = wishes_.keep ? wishes_.keep(static_cast<int>(v), x.col(v)) : 1;
+    if (!(keep > 0)) continue;
+    const int limb = wishes_.limb[static_cast<std::size_t>(v)];
+    const RelativePlace now = relative_place(body_, axes_[static_cast<std::size_t>(limb)], limb, x.col(v));
+    if (!now.through_skin) continue;
+    terms.push_back(fit_term(static_cast<int>(v), {now.on_skin, now.outward}, wishes_.offset(v), wishes_.release(v) * keep,
+                             areas_(v), weights_));
+  }
+  return terms;
+}
+
+std::vector<SoftTerm> BodyTerms::contact(const Eigen::Matrix3Xd& x) {
+  std::vector<SoftTerm> terms;
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    const auto v = static_cast<std::size_t>(i);
+    if (!wishes_.moves[v]) continue;
+    const double least = wishes_.least(i);
+    const DistanceSample sample = body_.distance.sample(x.col(i));
+    if (sample.distance > least + (pushes_[v] > 0 ? 2e-4 : -1e-5)) continue;
+    if (sample.distance < least - 1e-4) ++pushes_[v];
+    const double slope = std::max(1e-6, sample.gradient.norm());
+    const Eigen::Vector3d outward = sample.gradient / slope;
+    SoftTerm term =
+        contact_term(static_cast<int>(i), {x.col(i) - outward * sample.distance / slope, outward}, least, areas_(i), weights_);
+    term.weight *= std::pow(3.0, std::min(5, std::max(0, pushes_[v] - 1)));
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+SoftTermsAt BodyTerms::all() {
+  return [this](const Eigen::Matrix3Xd& x, int round) {
+    std::vector<SoftTerm> terms = wishes_.proportion;
+    const auto append = [&](const std::vector<SoftTerm>& more) { terms.insert(terms.end(), more.begin(), more.end()); };
+    append(fit(x));
+    if (round > 0) append(contact(x));
+    return terms;
+  };
+}
+
+}  // namespace toile

@@ -1,0 +1,32 @@
+#pragma once
+// Which part of a garment a loop moves, and along which way.
+
+#include <set>
+#include <vector>
+
+#include "body/relative.h"
+#include "edit/level_loops.h"
+#include "edit/loops.h"
+
+namespace toile {
+
+using VertexNeighbours = std::vector<std::vector<int>>;  // by vertex
+VertexNeighbours neighbours_of(const LevelMesh& mesh, Eigen::Index vertex_count);
+
+// Vertices that can be reached along edges from `from` without going through `blocked`, `from` included, ascending.
+std::vector<int> reached(const VertexNeighbours& neighbours, const VertexLoop& from, const std::set<int>& blocked);
+
+// A vertex of the ring has a neighbour in `part` (ascending).
+bool touches(const VertexNeighbours& neighbours, const VertexLoop& ring, const std::vector<int>& part);
+
+// Unit: the way the limb runs that most of the loop belongs to; straight down for limbs that hang nearly so.
+Eigen::Vector3d limb_direction(const std::vector<RelativePlace>& places, const VertexLoop& loop);
+
+// The side of a level's plane that is towards `way`; `after` for loops that are not at a level.
+LevelSide side_of(const NamedLoops& named, const Eigen::Vector3d& way);
+
+// m, axis coordinate of a loop in the mean, or of the plane that names it.
+double level_of(const NamedLoops& named, const Eigen::Matrix3Xd& positions, const VertexLoop& loop,
+                const Eigen::Vector3d& axis);
+
+}  // namespace toile
