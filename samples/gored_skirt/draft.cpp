@@ -16,10 +16,10 @@ using namespace toile;
 using Eigen::Vector2d;
 
 struct Measures {
-  double waist = 70.0_cm, hip = 94.0_cm, waist_to_hip = 20.0_cm;  // size 38
+  double waist = 70.0_cm, hip = 94.0_cm, waist_to_hip = 24.0_cm;  // size 38; the length as on the mannequin
   double length = 65.0_cm;                                        // waist to hem
   double waist_ease = 0.5_cm, hip_ease = 6.0_cm;
-  double hem = 110.0_cm;  // round the hem, corner to corner
+  double hem = 140.0_cm;  // round the hem, corner to corner
   double band = 4.0_cm;   // height; it sits astride the waist
   int gores = 8;
 };
