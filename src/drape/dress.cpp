@@ -21,8 +21,10 @@ namespace {
 
 // m above the start with the fewest blocked stitches: cloth that caught on a foot or an arm passes it from elsewhere.
 constexpr std::array<double, 3> attempts{0, 0.06, 0.12};
-constexpr double through_body = 0.01;  // m
-constexpr double gathered = 1.35;      // length ratio of a seam from which the longer side is gathers, not ease
+constexpr double through_body = 0.01;   // m
+constexpr double mendable_gap = 15e-3;  // m
+constexpr double few_stitches = .04;    // of all
+constexpr double gathered = 1.35;       // length ratio of a seam from which the longer side is gathers, not ease
 
 double most_gathered(const Pattern& pattern) {
   double most = 1;
@@ -161,6 +163,20 @@ void check_worn(const Pattern& pattern, const GarmentMesh& garment, const Body& 
   dressed.report.append(report);
 }
 
+// Welds as sewing left them what a few stitches, and only a little, are open at or cross at, and spans the cloth round them
+// anew. False when there was nothing to mend, or it did not succeed.
+bool mended(const LoosePanels& cloth, const GarmentMesh& garment, const Body& body, const DressOptions& options,
+            Eigen::Matrix3Xd& positions) {
+  const std::vector<double> gaps = stitch_gaps(cloth);
+  std::vector<int> open;
+  for (std::size_t s = 0; s < gaps.size(); ++s) {
+    if (gaps[s] > mendable_gap) return false;
+    if (gaps[s] > options.closed_gap) open.push_back(cloth.garment_vertex[static_cast<std::size_t>(cloth.stitched[s].front())]);
+  }
+  if (static_cast<double>(open.size()) > few_stitches * static_cast<double>(gaps.size())) return false;
+  return untangle(garment, body, options.body_offset, open, positions);
+}
+
 Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh& garment, const Body& body,
                   const DressOptions& options) {
   LoosePanels cloth = loose_panels(garment, start.placed);
@@ -180,10 +196,10 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
 
   Dressed dressed;
   std::set<int> stuck;
-  check_seams(pattern, garment, cloth, options.closed_gap, stuck, dressed);
   dressed.positions.resize(3, garment.vertex_count);
   weld(cloth, dressed.positions);
-  if (dressed.open_seams.empty()) untangle(garment, body, options.body_offset, dressed.positions);
+  if (!mended(cloth, garment, body, options, dressed.positions))
+    check_seams(pattern, garment, cloth, options.closed_gap, stuck, dressed);
   check_intersections(garment, stuck, dressed);
   check_outside(garment, body, stuck, dressed);
   check_worn(pattern, garment, body, stuck, dressed);

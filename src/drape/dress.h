@@ -33,7 +33,7 @@ struct Stuck {
 
 struct Dressed {
   Eigen::Matrix3Xd positions;  // by garment vertex, seams welded
-  double seam_gap = 0;         // m, widest seam just before it was welded
+  double seam_gap = 0;         // m, widest seam just before it was welded; 0 where it was mended (untangle.h)
   Report report;               // errors: "drape.seam-open" naming the seam, "drape.not-around-body", "drape.linked-wrong",
                                // "drape.self-intersects" and "drape.through-body" naming the panels
   int self_intersections = 0;  // pairs of triangles that pass through each other, seams welded

@@ -59,15 +59,16 @@ void push_out(const Body& body, double offset, Eigen::Ref<Eigen::Vector3d> at) {
 
 }  // namespace
 
-int untangle(const GarmentMesh& garment, const Body& body, double body_offset, Eigen::Matrix3Xd& positions) {
+bool untangle(const GarmentMesh& garment, const Body& body, double body_offset, const std::vector<int>& open,
+              Eigen::Matrix3Xd& positions) {
   auto crossing = intersecting_triangles(positions, garment.triangles);
-  const auto before = static_cast<int>(crossing.size());
-  if (before == 0) return 0;
+  if (crossing.empty() && open.empty()) return false;
   LoosePanels cloth = welded_cloth(garment, positions);
   const auto neighbours = neighbours_of(cloth);
   std::vector<char> in_patch(static_cast<std::size_t>(garment.vertex_count), 0);
+  for (const int v : open) in_patch[static_cast<std::size_t>(v)] = 1;
   Eigen::Matrix3Xd& x = cloth.positions;
-  for (int ring = 0; ring < most_rings && !crossing.empty(); ++ring) {
+  for (int ring = 0; ring < most_rings && (ring == 0 || !crossing.empty()); ++ring) {
     const std::vector<char> inner = in_patch;
     for (std::size_t v = 0; v < inner.size(); ++v)
       if (inner[v])
@@ -75,7 +76,7 @@ int untangle(const GarmentMesh& garment, const Body& body, double body_offset, E
     for (const auto& [a, b] : crossing)
       for (const int t : {a, b})
         for (const int v : garment.triangles.col(t)) in_patch[static_cast<std::size_t>(v)] = 1;
-    if (static_cast<double>(std::count(in_patch.begin(), in_patch.end(), 1)) > most_share * garment.vertex_count) return before;
+    if (static_cast<double>(std::count(in_patch.begin(), in_patch.end(), 1)) > most_share * garment.vertex_count) return false;
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t v = 0; v < in_patch.size(); ++v) {
         if (!in_patch[v]) continue;
@@ -90,11 +91,11 @@ int untangle(const GarmentMesh& garment, const Body& body, double body_offset, E
       }
     crossing = intersecting_triangles(x, garment.triangles);
   }
-  if (!crossing.empty()) return before;
+  if (!crossing.empty()) return false;
   draw_together({.shrinking_steps = 1, .holding_steps = relaxing_steps, .body_offset = body_offset}, body, cloth);
-  if (!intersecting_triangles(x, garment.triangles).empty()) return before;
+  if (!intersecting_triangles(x, garment.triangles).empty()) return false;
   positions = x;
-  return 0;
+  return true;
 }
 
 }  // namespace toile
