@@ -49,6 +49,7 @@ TEST_P(GarmentCodeGarment, HemMovedOnTheScannedBody) {
   EXPECT_TRUE(settled);
   EXPECT_LE(number("/drape/max_penetration_mm"), .5);
   EXPECT_LE(number("/adjusted/seam_mismatch_mm"), 1);
+  EXPECT_GE(number("/adjusted/stretch"), .99);
   EXPECT_LE(number("/adjusted/hausdorff_percent"), GetParam().most_hausdorff);
   EXPECT_GT(number("/flattened/hausdorff_percent"), 0);
   EXPECT_LE(number("/adjusted/hausdorff_percent"), number("/flattened/hausdorff_percent"));
@@ -65,11 +66,11 @@ TEST_P(GarmentCodeGarment, HemMovedOnTheScannedBody) {
   fs::remove_all(here, ignored);
 }
 
-// The aim is 0.5 % everywhere. The six-panel skirt is 2.4 m round the hem and has several ways to fold; there the bounds are
-// what is reached, so that it cannot get worse unnoticed.
+// The aim is 0.5 % everywhere. The six-panel skirt is 2.4 m round the hem; 8 cm more of it hang a little nearer to the legs than
+// the folds carried straight on, which no pattern can change: there the bound is what is reached.
 INSTANTIATE_TEST_SUITE_P(Cases, GarmentCodeGarment,
-                         testing::Values(Case{"skirt_2panel", "-8 cm", .9}, Case{"skirt_2panel", "8 cm", .9},
-                                         Case{"skirt_6panel", "-8 cm", 2}, Case{"skirt_6panel", "8 cm", 1.3},
+                         testing::Values(Case{"skirt_2panel", "-8 cm", .5}, Case{"skirt_2panel", "8 cm", .5},
+                                         Case{"skirt_6panel", "-8 cm", .55}, Case{"skirt_6panel", "8 cm", .8},
                                          Case{"pants_straight", "-6 cm", .6}, Case{"dress_fitted_pencil_sleeve", "-5 cm", .6}));
 
 }  // namespace
