@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drape/fem/assembly.h"
+
 namespace toile::test {
 
 HeldCloth settle_held(const fem::Model& model, const Eigen::Matrix3Xd& start, const std::vector<int>& held, double tolerance) {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "body/figure.h"
+#include "drape/fem/assembly.h"
 #include "drape/fem/model.h"
 #include "drape/fem/newton.h"
 #include "drape/simulator.h"
@@ -111,8 +112,8 @@ TEST_F(SheetOnBall, TheSameTwiceToTheBit) {
   EXPECT_TRUE((once.positions.array() == again.positions.array()).all());
 }
 
-// Near: from a drape at rest, with the pattern one percent smaller, as every step of the adjustment asks. (From far away either may
-// find other folds.)
+// Near: from a drape at rest, with the pattern one percent smaller, as every step of the adjustment asks. (From far away either
+// may find other folds.)
 TEST_F(SheetOnBall, BothSolversFindTheSameDrape) {
   const DrapeRequest far{.garment = cap_, .start = cap_start_, .body = body_, .fabric = isotropic, .tolerance = 1e-4};
   const Eigen::Matrix3Xd start = find_simulator("fem").drape(far).positions;

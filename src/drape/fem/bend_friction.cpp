@@ -79,14 +79,21 @@ AngleDerivatives angle_derivatives(const Corner& c, bool with_hessian) {
   return d;
 }
 
-// Derivatives by (edge, a, b) to those by the four vertices.
-Eigen::Matrix<double, 12, 9> to_vertices() {
-  Eigen::Matrix<double, 12, 9> map = Eigen::Matrix<double, 12, 9>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    map.block<3, 3>(0, 3 * i) = -Eigen::Matrix3d::Identity();
-    map.block<3, 3>(3 + 3 * i, 3 * i) = Eigen::Matrix3d::Identity();
-  }
-  return map;
+// Derivatives by (edge, a, b) to those by the four vertices: the edge's first vertex moves all three the other way.
+Vector12 to_vertices(const Vector9& g) {
+  Vector12 all;
+  all << -g.segment<3>(0) - g.segment<3>(3) - g.segment<3>(6), g;
+  return all;
+}
+
+Matrix12 to_vertices(const Matrix9& h) {
+  Matrix12 all;
+  const Eigen::Matrix<double, 3, 9> row = -h.topRows<3>() - h.middleRows<3>(3) - h.bottomRows<3>();
+  all.block<9, 9>(3, 3) = h;
+  all.block<3, 9>(0, 3) = row;
+  all.block<9, 3>(3, 0) = row.transpose();
+  all.block<3, 3>(0, 0) = -row.leftCols<3>() - row.middleCols<3>(3) - row.rightCols<3>();
+  return all;
 }
 
 double change(double angle, double anchor) { return std::remainder(angle - anchor, 2 * std::numbers::pi); }
@@ -133,16 +140,15 @@ void bend_friction_derivatives(const BendFriction& friction, double anchor, cons
   const Corner c = corner_of(hinge, x);
   const double least = 1e-6 * c.edge.squaredNorm();
   if (!(c.normal_a.norm() > least && c.normal_b.norm() > least)) return;
-  static const Eigen::Matrix<double, 12, 9> map = to_vertices();
   const bool full = hessian && curvature == Curvature::full;
   const AngleDerivatives d = angle_derivatives(c, full);
   const double turned = change(angle(c), anchor);
   const double root = std::hypot(turned, friction.slack);
-  const Vector12 slope = map * d.gradient;
+  const Vector12 slope = to_vertices(d.gradient);
   gradient += friction.moment * turned / root * slope;
   if (!hessian) return;
   *hessian += friction.moment * friction.slack * friction.slack / (root * root * root) * slope * slope.transpose();
-  if (full) *hessian += friction.moment * turned / root * (map * d.hessian * map.transpose());
+  if (full) *hessian += friction.moment * turned / root * to_vertices(d.hessian);
 }
 
 }  // namespace toile::fem

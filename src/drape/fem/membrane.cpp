@@ -96,6 +96,12 @@ MembraneLaw membrane_law(const Fabric& fabric) {
   return {fabric.stretch_warp, fabric.stretch_weft, fabric.stretch_cross, fabric.shear, fabric.most_stretch};
 }
 
+Eigen::Matrix3d corners_of(const MembraneElement& element, const Eigen::Matrix3Xd& x) {
+  Eigen::Matrix3d corners;
+  for (int i = 0; i < 3; ++i) corners.col(i) = x.col(element.vertex[static_cast<std::size_t>(i)]);
+  return corners;
+}
+
 double membrane_energy(const MembraneElement& element, const MembraneLaw& law, const Eigen::Matrix3d& x) {
   const Eigen::Matrix<double, 3, 2> f = x * element.gradient.transpose();
   return element.layers * element.area * stress_at(law, f).energy;

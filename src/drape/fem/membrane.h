@@ -30,6 +30,9 @@ struct MembraneLaw {
 };
 MembraneLaw membrane_law(const Fabric& fabric);
 
+// Its corners out of all positions, one column each.
+Eigen::Matrix3d corners_of(const MembraneElement&, const Eigen::Matrix3Xd& x);
+
 // Energy (J) of the triangle at corner positions `x` (one column per corner).
 double membrane_energy(const MembraneElement&, const MembraneLaw&, const Eigen::Matrix3d& x);
 

@@ -4,26 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "drape/fem/threads.h"
 
 namespace toile::fem {
 namespace {
 
-Eigen::Matrix3d corners(const MembraneElement& element, const Eigen::Matrix3Xd& x) {
-  Eigen::Matrix3d c;
-  for (int i = 0; i < 3; ++i) c.col(i) = x.col(element.vertex[static_cast<std::size_t>(i)]);
-  return c;
-}
-
-// Edges bridge where the body is round, and sag deeper than faces: contact is kept at their midpoints as well as at the
-// vertices (weights 3/4 and 1/4). Calls visit(midpoint, distance, edge) for midpoints within reach.
-template <class Visit>
-void for_edges_in_reach(const Model& model, const Eigen::Matrix3Xd& x, const Visit& visit) {
-  for (const ContactEdge& edge : model.contact_edges) {
-    const Eigen::Vector3d middle = (x.col(edge.vertex[0]) + x.col(edge.vertex[1])) / 2;
-    const double distance = model.body->distance.distance(middle);
-    if (distance < model.contact.reach) visit(middle, distance, edge);
-  }
-}
+constexpr int energy_chunks = 16;
 
 std::vector<ContactEdge> contact_edges(const std::vector<MembraneElement>& triangles) {
   std::map<std::array<int, 2>, double> area;
@@ -75,13 +63,8 @@ Frozen frozen_at(const Model& model, const Eigen::Matrix3Xd& start) {
   return frozen;
 }
 
-double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Frozen& frozen) {
-  Eigen::VectorXd forces(x.cols());
-  for (Eigen::Index v = 0; v < x.cols(); ++v)
-    forces(v) = normal_force(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
-  for_edges_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, const ContactEdge& edge) {
-    for (const int v : edge.vertex) forces(v) += normal_force(model.contact, edge.area, distance) / 2;
-  });
+double update_friction(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& forces, double share,
+                       Frozen& frozen) {
   double rest = 0;
   for (Eigen::Index v = 0; v < x.cols(); ++v) {
     const auto i = static_cast<std::size_t>(v);
@@ -91,12 +74,11 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
       frozen.touched[i] = 0;
       continue;
     }
-    const DistanceSample sample = model.body->distance.sample(x.col(v));
     if (!frozen.touched[i]) {
       state.anchor = x.col(v);
       frozen.touched[i] = 1;
     }
-    state.normal = sample.gradient.normalized();
+    state.normal = model.body->distance.sample(x.col(v)).gradient.normalized();
     state.force += share * (force - state.force);
     if (force <= 0 && state.force < 1e-9) state.force = 0;
     rest = std::max(rest, std::abs(force - state.force));
@@ -104,22 +86,44 @@ double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double sha
   return rest;
 }
 
-double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
-  double sum = 0;
-  for (const MembraneElement& element : model.triangles) sum += membrane_energy(element, model.law, corners(element, x));
-  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
-    sum += model.hinges[h].stiffness / 2 * hinge_vector(model.hinges[h], x).squaredNorm();
-    sum += bend_friction_energy(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x);
-  }
-  for (Eigen::Index v = 0; v < x.cols(); ++v) {
-    sum -= gravity * model.mass(v) * model.weight_direction.dot(x.col(v));
-    sum += normal_energy(model.contact, model.contact_area(v), model.body->distance.distance(x.col(v)));
-    sum += friction_energy(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
-  }
-  for_edges_in_reach(model, x, [&](const Eigen::Vector3d&, double distance, const ContactEdge& edge) {
-    sum += normal_energy(model.contact, edge.area, distance);
+double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Frozen& frozen) {
+  return update_friction(model, x, normal_forces(model, touching(model, x)), share, frozen);
+}
+
+double lasting_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, const std::vector<Touch>& touches) {
+  std::array<double, energy_chunks> part{};
+  const auto share = [](int chunk, std::size_t count) {
+    const auto c = static_cast<std::size_t>(chunk);
+    return std::pair{count * c / energy_chunks, count * (c + 1) / energy_chunks};
+  };
+  in_ranges(energy_chunks, energy_chunks, [&](int chunk, int, int) {
+    double sum = 0;
+    const auto [first_triangle, last_triangle] = share(chunk, model.triangles.size());
+    for (std::size_t t = first_triangle; t < last_triangle; ++t)
+      sum += membrane_energy(model.triangles[t], model.law, corners_of(model.triangles[t], x));
+    const auto [first_hinge, last_hinge] = share(chunk, model.hinges.size());
+    for (std::size_t h = first_hinge; h < last_hinge; ++h) {
+      sum += model.hinges[h].stiffness / 2 * hinge_vector(model.hinges[h], x).squaredNorm();
+      sum += bend_friction_energy(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x);
+    }
+    part[static_cast<std::size_t>(chunk)] = sum;
   });
+  double sum = 0;
+  for (const double p : part) sum += p;
+  sum -= gravity * (model.weight_direction.transpose() * x).dot(model.mass);
+  for (const Touch& touch : touches) sum += normal_energy(model.contact, touch.area, touch.body.distance);
+  return sum;
+}
+
+double lagged_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
+  double sum = 0;
+  for (Eigen::Index v = 0; v < x.cols(); ++v)
+    sum += friction_energy(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
   return sum + self_contact_energy(frozen.self, x);
+}
+
+double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
+  return lasting_energy(model, frozen, x, touching(model, x)) + lagged_energy(model, frozen, x);
 }
 
 SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x) {
@@ -133,29 +137,49 @@ SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Ei
   return contact;
 }
 
-Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x) {
-  Eigen::Matrix3Xd g(3, x.cols());
-  for (Eigen::Index v = 0; v < x.cols(); ++v) {
-    g.col(v) = -gravity * model.mass(v) * model.weight_direction;
-    const double distance = model.body->distance.distance(x.col(v));
-    if (distance < model.contact.reach)
-      g.col(v) -= normal_force(model.contact, model.contact_area(v), distance) * model.body->distance.sample(x.col(v)).gradient;
-  }
-  for_edges_in_reach(model, x, [&](const Eigen::Vector3d& middle, double distance, const ContactEdge& edge) {
-    const Eigen::Vector3d push =
-        normal_force(model.contact, edge.area, distance) / 2 * model.body->distance.sample(middle).gradient;
-    for (const int v : edge.vertex) g.col(v) -= push;
+namespace {
+
+// Of weight, contact, membrane and bending, and of friction in the bends when `bent` is given.
+Eigen::Matrix3Xd smooth_gradient(const Model& model, const std::vector<double>* bent, const Eigen::Matrix3Xd& x,
+                                 const std::vector<Touch>& touches) {
+  std::array<Eigen::Matrix3Xd, 2> half;  // of the triangles and hinges each, so that two threads can add
+  in_ranges(2, 2, [&](int which, int, int) {
+    const auto h = static_cast<std::size_t>(which);
+    Eigen::Matrix3Xd& g = half[h];
+    g.setZero(3, x.cols());
+    for (std::size_t t = h * model.triangles.size() / 2; t < (h + 1) * model.triangles.size() / 2; ++t) {
+      const MembraneElement& element = model.triangles[t];
+      Vector9 local = Vector9::Zero();
+      membrane_derivatives(element, model.law, corners_of(element, x), Curvature::full, local, nullptr);
+      for (int i = 0; i < 3; ++i) g.col(element.vertex[static_cast<std::size_t>(i)]) += local.segment<3>(3 * i);
+    }
+    for (std::size_t e = h * model.hinges.size() / 2; e < (h + 1) * model.hinges.size() / 2; ++e) {
+      const Hinge& hinge = model.hinges[e];
+      const Eigen::Vector3d pull = hinge.stiffness * hinge_vector(hinge, x);
+      Vector12 local;
+      for (int i = 0; i < 4; ++i) local.segment<3>(3 * i) = hinge.weight[static_cast<std::size_t>(i)] * pull;
+      if (bent) bend_friction_derivatives(model.bend_frictions[e], (*bent)[e], hinge, x, Curvature::full, local, nullptr);
+      for (int i = 0; i < 4; ++i) g.col(hinge.vertex[static_cast<std::size_t>(i)]) += local.segment<3>(3 * i);
+    }
   });
-  for (const MembraneElement& element : model.triangles) {
-    Vector9 local = Vector9::Zero();
-    membrane_derivatives(element, model.law, corners(element, x), Curvature::full, local, nullptr);
-    for (std::size_t i = 0; i < 3; ++i) g.col(element.vertex[i]) += local.segment<3>(static_cast<Eigen::Index>(3 * i));
+  half[0] += half[1];
+  half[0] -= gravity * model.weight_direction * model.mass.transpose();
+  for (const Touch& touch : touches) {
+    const Eigen::Vector3d push = normal_force(model.contact, touch.area, touch.body.distance) / 2 * touch.body.gradient;
+    for (const int v : touch.vertex) half[0].col(v) -= push;
   }
-  for (const Hinge& hinge : model.hinges) {
-    const Eigen::Vector3d pull = hinge.stiffness * hinge_vector(hinge, x);
-    for (std::size_t i = 0; i < 4; ++i) g.col(hinge.vertex[i]) += hinge.weight[i] * pull;
-  }
-  return g;
+  return std::move(half[0]);
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x) {
+  return smooth_gradient(model, nullptr, x, touching_sampled(model, x));
+}
+
+Eigen::Matrix3Xd lasting_gradient(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x,
+                                  const std::vector<Touch>& touches) {
+  return smooth_gradient(model, &frozen.bent, x, touches);
 }
 
 void add_friction(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient) {
@@ -166,68 +190,6 @@ void add_friction(const Model& model, const Frozen& frozen, const Eigen::Matrix3
     bend_friction_derivatives(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x, Curvature::full, local, nullptr);
     for (int i = 0; i < 4; ++i) gradient.col(model.hinges[h].vertex[static_cast<std::size_t>(i)]) += local.segment<3>(3 * i);
   }
-}
-
-std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
-  std::vector<std::pair<int, int>> pairs = std::move(coupled);
-  for (const MembraneElement& e : model.triangles)
-    for (std::size_t i = 0; i < 3; ++i) pairs.emplace_back(e.vertex[i], e.vertex[(i + 1) % 3]);
-  for (const Hinge& h : model.hinges)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(h.vertex[i], h.vertex[j]);
-  std::unique_ptr<HessianAssembly> assembly(
-      new HessianAssembly{BlockMatrix(static_cast<int>(model.mass.size()), std::move(pairs)), {}});
-  for (const Hinge& h : model.hinges)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        assembly->matrix.add(h.vertex[i], h.vertex[j], h.stiffness * h.weight[i] * h.weight[j] * Eigen::Matrix3d::Identity());
-  assembly->constant = assembly->matrix.values();
-  return assembly;
-}
-
-void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
-              HessianAssembly& assembly) {
-  BlockMatrix& matrix = assembly.matrix;
-  matrix.set_values(assembly.constant);
-  for (const MembraneElement& element : model.triangles) {
-    Vector9 ignored = Vector9::Zero();
-    Matrix9 local = Matrix9::Zero();
-    membrane_derivatives(element, model.law, corners(element, x), curvature, ignored, &local);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        matrix.add(element.vertex[i], element.vertex[j],
-                   local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
-  }
-  for (std::size_t h = 0; h < model.hinges.size(); ++h) {
-    if (model.bend_frictions[h].moment <= 0) continue;
-    Vector12 ignored = Vector12::Zero();
-    Matrix12 local = Matrix12::Zero();
-    bend_friction_derivatives(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x, curvature, ignored, &local);
-    const auto& vertex = model.hinges[h].vertex;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        matrix.add(vertex[i], vertex[j], local.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
-  }
-  const auto contact_block = [&](const Eigen::Vector3d& at, double distance, double area) -> Eigen::Matrix3d {
-    const DistanceSample sample = model.body->distance.sample(at);
-    Eigen::Matrix3d block = normal_stiffness(model.contact, area, distance) * sample.gradient * sample.gradient.transpose();
-    if (curvature == Curvature::full) block -= normal_force(model.contact, area, distance) * sample.hessian;
-    return block;
-  };
-  for (Eigen::Index v = 0; v < x.cols(); ++v) {
-    Eigen::Matrix3d block = friction_hessian(model.contact, frozen.vertex[static_cast<std::size_t>(v)], x.col(v));
-    const double distance = model.body->distance.distance(x.col(v));
-    if (distance < model.contact.reach) block += contact_block(x.col(v), distance, model.contact_area(v));
-    matrix.add(static_cast<int>(v), static_cast<int>(v), block);
-  }
-  for_edges_in_reach(model, x, [&](const Eigen::Vector3d& middle, double distance, const ContactEdge& edge) {
-    const Eigen::Matrix3d block = contact_block(middle, distance, edge.area) / 4;
-    const auto [a, b] = edge.vertex;
-    matrix.add(a, a, block);
-    matrix.add(b, b, block);
-    matrix.add(b, a, block);
-  });
-  add_self_contact(frozen.self, x, matrix);
 }
 
 double weight(const Model& model) { return gravity * model.mass.norm(); }

@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "body/body.h"
@@ -15,7 +13,7 @@
 #include "drape/fem/contact.h"
 #include "drape/fem/membrane.h"
 #include "drape/fem/self_contact.h"
-#include "drape/fem/sparse_spd.h"
+#include "drape/fem/touching.h"
 #include "garment/mesh.h"
 
 namespace toile::fem {
@@ -57,11 +55,16 @@ struct Frozen {
 // itself.
 Frozen frozen_at(const Model& model, const Eigen::Matrix3Xd& start);
 
-// Moves the lagged normal forces by `share` towards those at `x` and takes the normals there. Returns the largest remaining
+// Moves the lagged normal forces by `share` towards `forces` and takes the normals at `x`. Returns the largest remaining
 // difference of a force, N.
+double update_friction(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& forces, double share,
+                       Frozen& frozen);
 double update_friction(const Model& model, const Eigen::Matrix3Xd& x, double share, Frozen& frozen);
 
 double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x);  // J
+// Its two parts: with what holds from the start on, and with what is frozen anew between steps. `touches`: at x.
+double lasting_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, const std::vector<Touch>& touches);
+double lagged_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x);
 
 // What of the cloth is near to itself at `x`.
 SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x);
@@ -69,18 +72,9 @@ SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Ei
 // The gradient of the energy is the sum of both, N.
 Eigen::Matrix3Xd gradient_without_friction(const Model& model, const Eigen::Matrix3Xd& x);
 void add_friction(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& gradient);
-
-// Pattern of the Hessian and its constant (bending) part.
-struct HessianAssembly {
-  BlockMatrix matrix;
-  std::vector<double> constant;
-};
-// `coupled`: further vertex pairs that may share a block.
-std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled = {});
-// Fills assembly.matrix with the Hessian at x (no factorisation). Throws std::invalid_argument when the cloth touches itself
-// where the pattern has no block.
-void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
-              HessianAssembly& assembly);
+// The gradient of lasting_energy. `touches`: sampled at x.
+Eigen::Matrix3Xd lasting_gradient(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x,
+                                  const std::vector<Touch>& touches);
 
 double weight(const Model& model);  // N, norm of the gravity force vector over all vertices
 

@@ -3,23 +3,41 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "collide/intersections.h"
 #include "collide/truncation.h"
+#include "drape/fem/assembly.h"
 
 namespace toile::fem {
 namespace {
 
 constexpr double near_margin = 3e-3;  // m, of movement before the list of near pairs is made anew
 
-// Largest fraction of `step`, halving, that lowers the energy enough (Armijo); zero when none does.
-double line_search(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& step,
-                   double slope) {
-  const double before = energy(model, frozen, x);
+// Positions, and what is known there.
+struct State {
+  Eigen::Matrix3Xd x;
+  std::vector<Touch> touches;
+  double lasting = 0;  // J
+};
+
+State state_at(const Model& model, const Frozen& frozen, Eigen::Matrix3Xd x) {
+  std::vector<Touch> touches = touching(model, x);
+  const double lasting = lasting_energy(model, frozen, x, touches);
+  return {std::move(x), std::move(touches), lasting};
+}
+
+// Largest fraction of `step`, halving, that lowers the energy enough (Armijo), and the state there; zero when none does.
+std::pair<double, State> line_search(const Model& model, const Frozen& frozen, const State& from, const Eigen::Matrix3Xd& step,
+                                     double slope) {
+  const double before = from.lasting + lagged_energy(model, frozen, from.x);
   double fraction = 1;
-  for (int halvings = 0; halvings < 25; ++halvings, fraction /= 2)
-    if (energy(model, frozen, x + fraction * step) <= before + 1e-4 * fraction * slope) return fraction;
-  return 0;
+  for (int halvings = 0; halvings < 25; ++halvings, fraction /= 2) {
+    State to = state_at(model, frozen, from.x + fraction * step);
+    if (to.lasting + lagged_energy(model, frozen, to.x) <= before + 1e-4 * fraction * slope) return {fraction, std::move(to)};
+  }
+  return {0, from};
 }
 
 // Gradient with the lagged normal forces, which Newton minimises with, and the residual with the true ones, which counts.
@@ -28,15 +46,19 @@ struct Forces {
   double residual = 0;
 };
 
-Forces forces_at(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
-  Forces forces{gradient_without_friction(model, x), 0};
-  add_self_contact(frozen.self, x, forces.lagged);
-  Eigen::Matrix3Xd exact = forces.lagged;
-  Frozen true_friction = frozen;
-  update_friction(model, x, 1, true_friction);
-  add_friction(model, true_friction, x, exact);
-  add_friction(model, frozen, x, forces.lagged);
-  forces.residual = exact.norm() / weight(model);
+// `normal`: the true forces; `frozen` has the normals of x.
+Forces forces_at(const Model& model, const Frozen& frozen, const State& state, const Eigen::VectorXd& normal) {
+  Forces forces{lasting_gradient(model, frozen, state.x, state.touches), 0};
+  add_self_contact(frozen.self, state.x, forces.lagged);
+  double square = 0;
+  for (Eigen::Index v = 0; v < state.x.cols(); ++v) {
+    FrictionState friction = frozen.vertex[static_cast<std::size_t>(v)];
+    const Eigen::Vector3d lagged = friction_gradient(model.contact, friction, state.x.col(v));
+    friction.force = normal(v);
+    square += (forces.lagged.col(v) + friction_gradient(model.contact, friction, state.x.col(v))).squaredNorm();
+    forces.lagged.col(v) += lagged;
+  }
+  forces.residual = std::sqrt(square) / weight(model);
   return forces;
 }
 
@@ -48,9 +70,9 @@ class Untouched {
         free_(intersecting_triangles(start, triangles_).empty()),
         near_(model.cloth, truncation_reach, truncation_reach / 2) {}
 
-  // `to`, or, when that would pass the cloth through itself, as far towards it as every part may go by itself.
-  Eigen::Matrix3Xd moved(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
-    if (!free_ || intersecting_triangles(to, triangles_).empty()) return to;
+  // Nothing when the cloth may go to `to`, else as far towards it as every part may go without passing through another.
+  std::optional<Eigen::Matrix3Xd> held(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+    if (!free_ || intersecting_triangles(to, triangles_).empty()) return {};
     Eigen::Matrix3Xd x = from;
     Truncation(from, near_).advance(x, to);
     return x;
@@ -99,15 +121,16 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
   Frozen frozen = frozen_at(model, start);
   NearPairSearch near(model.cloth, frozen.self.law.reach, near_margin);
   frozen.self = self_contact_at(model, near, start);
-  Eigen::Matrix3Xd x = start;
-  Forces forces = forces_at(model, frozen, x);
+  State state = state_at(model, frozen, start);
+  sample_touching(model, state.touches);
+  Forces forces = forces_at(model, frozen, state, normal_forces(model, state.touches));
   Equilibrium best{start, forces.residual, 0, false};
   double dt = options.first_dt;
   double share = options.least_force_share;
   for (int step = 1; step <= options.most_steps && best.residual > options.tolerance && !out_of_time(); ++step) {
     HessianAssembly& assembly = pattern.fit(frozen.self);
     const auto factorised = [&](Curvature curvature) {
-      assemble(model, frozen, x, curvature, assembly);
+      assemble(model, frozen, state.x, state.touches, curvature, assembly);
       for (Eigen::Index v = 0; v < model.mass.size(); ++v)
         assembly.matrix.add_diagonal(static_cast<int>(v), model.mass(v) / (dt * dt));
       return assembly.matrix.factorise();
@@ -119,19 +142,22 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
     Eigen::Matrix3Xd move = -assembly.matrix.solve(forces.lagged);
     const double longest = move.colwise().norm().maxCoeff();
     if (longest > options.step_cap) move *= options.step_cap / longest;
-    const double fraction = line_search(model, frozen, x, move, forces.lagged.cwiseProduct(move).sum());
-    x = untouched.moved(x, x + fraction * move);
+    auto [fraction, reached] = line_search(model, frozen, state, move, forces.lagged.cwiseProduct(move).sum());
+    if (auto held = untouched.held(state.x, reached.x)) reached = state_at(model, frozen, std::move(*held));
+    state = std::move(reached);
+    sample_touching(model, state.touches);
+    const Eigen::VectorXd normal = normal_forces(model, state.touches);
     dt = fraction > 0.2 ? std::min(dt * options.growth, options.most_dt) : std::max(dt / 2, 1e-3);
-    update_friction(model, x, share, frozen);
-    frozen.self = self_contact_at(model, near, x);
+    update_friction(model, state.x, normal, share, frozen);
+    frozen.self = self_contact_at(model, near, state.x);
     const double before = forces.residual;
-    forces = forces_at(model, frozen, x);
+    forces = forces_at(model, frozen, state, normal);
     share = forces.residual < before ? std::min(share * 1.25, options.most_force_share)
                                      : std::max(share / 2, options.least_force_share);
     if (options.progress) options.progress(step, forces.residual);
     best.steps = step;
     if (forces.residual < best.residual) {
-      best.x = x;
+      best.x = state.x;
       best.residual = forces.residual;
     }
   }

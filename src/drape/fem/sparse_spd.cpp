@@ -1,52 +1,171 @@
 #include "drape/fem/sparse_spd.h"
 
 #include <cblas.h>
-#include <cholmod.h>
-#include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
+
+#include "drape/fem/elimination.h"
+#include "drape/fem/threads.h"
+
+extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* lda, int* info);
 
 namespace toile::fem {
 namespace {
 
-// CHOLMOD opens an OpenMP region per supernode: at this size its threads cost more than they bring, and two jobs side by side
-// choke each other. Both settings are the calling thread's own.
-void run_on_one_thread() {
-  openblas_set_num_threads(1);
-  omp_set_max_active_levels(0);
+// Of the matrix, where it goes in a supernode's panel.
+struct Entry {
+  int value;        // in values
+  int row, column;  // unknowns of the panel
+  bool transposed;
+};
+
+// A supernode's share of the factor, and of the elimination on the way there.
+struct Panel {
+  int columns = 0, rows = 0;  // unknowns, the rows with those of the columns
+  std::vector<Entry> entries;
+  std::vector<double> factor;   // rows x columns, column after column; the upper triangle is not used
+  std::vector<double> update;   // what it passes on to its parent: (rows - columns)^2, lower triangle
+  std::vector<double> passing;  // the same of a right-hand side
+  int below() const { return rows - columns; }
+};
+
+// Adds what `child` passes on, a matrix of the rows of `to`'s parent.
+void take(const Supernode& node, Panel& child, Panel& to) {
+  const int n = static_cast<int>(node.in_parent.size());
+  const double* from = child.update.data();
+  for (int j = 0; j < n; ++j) {
+    const int target = 3 * node.in_parent[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 3; ++k, from += 3 * n) {
+      const int column = target + k;
+      double* into =
+          column < to.columns
+              ? &to.factor[static_cast<std::size_t>(column) * static_cast<std::size_t>(to.rows)]
+              : &to.update[static_cast<std::size_t>(column - to.columns) * static_cast<std::size_t>(to.below())] - to.columns;
+      for (int i = j; i < n; ++i) {
+        double* at = into + 3 * node.in_parent[static_cast<std::size_t>(i)];
+        for (int r = 0; r < 3; ++r) at[r] += from[3 * i + r];
+      }
+    }
+  }
 }
 
 }  // namespace
 
-// Lower triangle by columns. Column 3j+k holds the rest of the diagonal block (rows k..2), then the blocks below it in order.
 struct BlockMatrix::State {
   int vertices = 0;
-  std::vector<int> first;  // first below-diagonal block of a block column
-  std::vector<int> row;    // block row of each of them
-  std::vector<int> column_pointer, row_index;
-  std::vector<double> values;
-  cholmod_common common{};
-  cholmod_sparse matrix{};
-  cholmod_factor* factor = nullptr;
+  std::vector<int> first;      // first below-diagonal block of a block column
+  std::vector<int> row;        // block row of each of them
+  std::vector<double> values;  // diagonal blocks, then the others
+  Elimination plan;
+  std::vector<std::vector<int>> upwards, downwards;  // tasks before each task
+  std::vector<Panel> panels;
 
-  ~State() {
-    if (factor) cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-
-  std::size_t column_start(int j, int k) const {
-    return static_cast<std::size_t>(column_pointer[static_cast<std::size_t>(3 * j + k)]);
-  }
-
-  int block_index(int i, int j) const {
-    const auto begin = row.begin() + first[static_cast<std::size_t>(j)];
-    const auto end = row.begin() + first[static_cast<std::size_t>(j) + 1];
-    const auto found = std::lower_bound(begin, end, i);
-    if (found == end || *found != i) throw std::invalid_argument("BlockMatrix::add: pair is not in the pattern");
-    return static_cast<int>(found - begin);
-  }
+  void make_panels();
+  bool eliminate(std::size_t s);
+  void forward(std::size_t s, double* x);
+  void backward(std::size_t s, double* x) const;
 };
+
+void BlockMatrix::State::make_panels() {
+  panels.resize(plan.supernodes.size());
+  std::vector<std::size_t> of(static_cast<std::size_t>(vertices));  // supernode by position
+  for (std::size_t s = 0; s < panels.size(); ++s) {
+    const Supernode& node = plan.supernodes[s];
+    panels[s].columns = 3 * node.count;
+    panels[s].rows = panels[s].columns + 3 * static_cast<int>(node.below.size());
+    panels[s].factor.resize(static_cast<std::size_t>(panels[s].rows) * static_cast<std::size_t>(panels[s].columns));
+    panels[s].passing.resize(static_cast<std::size_t>(panels[s].below()));
+    for (int k = 0; k < node.count; ++k) of[static_cast<std::size_t>(node.first + k)] = s;
+  }
+  const auto put = [&](int i, int j, int value) {
+    int row_position = plan.position[static_cast<std::size_t>(i)], column_position = plan.position[static_cast<std::size_t>(j)];
+    const bool transposed = row_position < column_position;
+    if (transposed) std::swap(row_position, column_position);
+    const std::size_t s = of[static_cast<std::size_t>(column_position)];
+    const Supernode& node = plan.supernodes[s];
+    int at = row_position - node.first;
+    if (at >= node.count)
+      at = node.count +
+           static_cast<int>(std::lower_bound(node.below.begin(), node.below.end(), row_position) - node.below.begin());
+    panels[s].entries.push_back({value, 3 * at, 3 * (column_position - node.first), transposed});
+  };
+  for (int j = 0; j < vertices; ++j) {
+    put(j, j, 9 * j);
+    for (int b = first[static_cast<std::size_t>(j)]; b < first[static_cast<std::size_t>(j) + 1]; ++b)
+      put(row[static_cast<std::size_t>(b)], j, 9 * (vertices + b));
+  }
+  downwards.resize(plan.tasks.size());
+  for (std::size_t t = 0; t < plan.tasks.size(); ++t) {
+    upwards.push_back(plan.tasks[t].children);
+    if (plan.tasks[t].parent >= 0) downwards[t].push_back(plan.tasks[t].parent);
+  }
+}
+
+// False when the columns are not positive definite.
+bool BlockMatrix::State::eliminate(std::size_t s) {
+  Panel& panel = panels[s];
+  const int below = panel.below();
+  const bool leaf = plan.children[s].empty();
+  std::fill(panel.factor.begin(), panel.factor.end(), 0.0);
+  const std::size_t square = static_cast<std::size_t>(below) * static_cast<std::size_t>(below);
+  panel.update.assign(square, 0.0);
+  for (const Entry& entry : panel.entries) {
+    const double* block = &values[static_cast<std::size_t>(entry.value)];
+    double* at = &panel.factor[static_cast<std::size_t>(entry.column) * static_cast<std::size_t>(panel.rows) +
+                               static_cast<std::size_t>(entry.row)];
+    for (int k = 0; k < 3; ++k, at += panel.rows)
+      for (int r = 0; r < 3; ++r) at[r] = entry.transposed ? block[3 * r + k] : block[3 * k + r];
+  }
+  for (const int c : plan.children[s]) {
+    Panel& child = panels[static_cast<std::size_t>(c)];
+    take(plan.supernodes[static_cast<std::size_t>(c)], child, panel);
+    std::vector<double>().swap(child.update);
+  }
+  int failed = 0;
+  dpotrf_("L", &panel.columns, panel.factor.data(), &panel.rows, &failed);
+  if (failed) return false;
+  if (below == 0) return true;
+  double* lower = panel.factor.data() + panel.columns;
+  cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, below, panel.columns, 1, panel.factor.data(),
+              panel.rows, lower, panel.rows);
+  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, panel.columns, -1, lower, panel.rows, leaf ? 0 : 1,
+              panel.update.data(), below);
+  return true;
+}
+
+void BlockMatrix::State::forward(std::size_t s, double* x) {
+  Panel& panel = panels[s];
+  double* own = x + 3 * plan.supernodes[s].first;
+  std::fill(panel.passing.begin(), panel.passing.end(), 0.0);
+  for (const int c : plan.children[s]) {
+    const Panel& child = panels[static_cast<std::size_t>(c)];
+    const auto& in_parent = plan.supernodes[static_cast<std::size_t>(c)].in_parent;
+    for (std::size_t i = 0; i < in_parent.size(); ++i) {
+      const int target = 3 * in_parent[i];
+      double* into = target < panel.columns ? own + target : &panel.passing[static_cast<std::size_t>(target - panel.columns)];
+      for (std::size_t r = 0; r < 3; ++r) into[r] += child.passing[3 * i + r];
+    }
+  }
+  cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, panel.columns, panel.factor.data(), panel.rows, own, 1);
+  if (panel.below() > 0)
+    cblas_dgemv(CblasColMajor, CblasNoTrans, panel.below(), panel.columns, -1, panel.factor.data() + panel.columns, panel.rows,
+                own, 1, 1, panel.passing.data(), 1);
+}
+
+void BlockMatrix::State::backward(std::size_t s, double* x) const {
+  const Panel& panel = panels[s];
+  const Supernode& node = plan.supernodes[s];
+  double* own = x + 3 * node.first;
+  if (!node.below.empty()) {
+    Eigen::VectorXd known(panel.below());
+    for (std::size_t i = 0; i < node.below.size(); ++i) std::copy_n(x + 3 * node.below[i], 3, known.data() + 3 * i);
+    cblas_dgemv(CblasColMajor, CblasTrans, panel.below(), panel.columns, -1, panel.factor.data() + panel.columns, panel.rows,
+                known.data(), 1, 1, own, 1);
+  }
+  cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, panel.columns, panel.factor.data(), panel.rows, own, 1);
+}
 
 BlockMatrix::BlockMatrix(int vertices, std::vector<std::pair<int, int>> pairs) : state_(std::make_unique<State>()) {
   State& s = *state_;
@@ -55,45 +174,16 @@ BlockMatrix::BlockMatrix(int vertices, std::vector<std::pair<int, int>> pairs) :
     if (pair.first > pair.second) std::swap(pair.first, pair.second);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
   s.first.assign(static_cast<std::size_t>(vertices) + 1, 0);
   for (const auto& [column, row] : pairs) {
-    if (column == row) continue;
     s.row.push_back(row);
     ++s.first[static_cast<std::size_t>(column) + 1];
   }
   for (std::size_t j = 0; j < static_cast<std::size_t>(vertices); ++j) s.first[j + 1] += s.first[j];
-  s.column_pointer.push_back(0);
-  for (int j = 0; j < vertices; ++j)
-    for (int k = 0; k < 3; ++k) {
-      for (int r = k; r < 3; ++r) s.row_index.push_back(3 * j + r);
-      for (int b = s.first[static_cast<std::size_t>(j)]; b < s.first[static_cast<std::size_t>(j) + 1]; ++b)
-        for (int r = 0; r < 3; ++r) s.row_index.push_back(3 * s.row[static_cast<std::size_t>(b)] + r);
-      s.column_pointer.push_back(static_cast<int>(s.row_index.size()));
-    }
-  s.values.assign(s.row_index.size(), 0.0);
-
-  run_on_one_thread();
-  cholmod_start(&s.common);
-  s.common.nmethods = 1;
-  s.common.method[0].ordering = CHOLMOD_METIS;
-  s.common.postorder = 1;
-  s.common.supernodal = CHOLMOD_SUPERNODAL;
-  s.common.final_ll = 1;
-  s.common.print = 0;
-  s.common.error_handler = nullptr;
-  s.matrix.nrow = s.matrix.ncol = static_cast<std::size_t>(3 * vertices);
-  s.matrix.nzmax = s.values.size();
-  s.matrix.p = s.column_pointer.data();
-  s.matrix.i = s.row_index.data();
-  s.matrix.x = s.values.data();
-  s.matrix.stype = -1;
-  s.matrix.itype = CHOLMOD_INT;
-  s.matrix.xtype = CHOLMOD_REAL;
-  s.matrix.dtype = CHOLMOD_DOUBLE;
-  s.matrix.sorted = 1;
-  s.matrix.packed = 1;
-  s.factor = cholmod_analyze(&s.matrix, &s.common);
-  if (!s.factor) throw std::runtime_error("BlockMatrix: the matrix could not be analysed (out of memory?)");
+  s.values.assign(9 * (static_cast<std::size_t>(vertices) + pairs.size()), 0.0);
+  s.plan = plan_elimination(vertices, pairs);
+  s.make_panels();
 }
 
 BlockMatrix::~BlockMatrix() = default;
@@ -104,68 +194,72 @@ bool BlockMatrix::has(int i, int j) const {
   return i == j || std::binary_search(begin + state_->first[column], begin + state_->first[column + 1], std::max(i, j));
 }
 
-void BlockMatrix::set_zero() { std::fill(state_->values.begin(), state_->values.end(), 0.0); }
+int BlockMatrix::place(int i, int j) const {
+  if (i == j) return 9 * i;
+  const State& s = *state_;
+  const auto column = static_cast<std::size_t>(std::min(i, j));
+  const auto end = s.row.begin() + s.first[column + 1];
+  const auto found = std::lower_bound(s.row.begin() + s.first[column], end, std::max(i, j));
+  if (found == end || *found != std::max(i, j)) throw std::invalid_argument("BlockMatrix: pair is not in the pattern");
+  return 9 * (s.vertices + static_cast<int>(found - s.row.begin()));
+}
 
 void BlockMatrix::add(int i, int j, const Eigen::Matrix3d& block) {
-  State& s = *state_;
-  if (i == j) {
-    for (int k = 0; k < 3; ++k)
-      for (int r = k; r < 3; ++r) s.values[s.column_start(j, k) + static_cast<std::size_t>(r - k)] += block(r, k);
-    return;
-  }
-  const bool below = i > j;
-  const int column = below ? j : i;
-  const int b = s.block_index(below ? i : j, column);
-  for (int k = 0; k < 3; ++k) {
-    double* value = &s.values[s.column_start(column, k) + static_cast<std::size_t>(3 - k + 3 * b)];
-    for (int r = 0; r < 3; ++r) value[r] += below ? block(r, k) : block(k, r);
-  }
+  Eigen::Map<Eigen::Matrix3d> into(&state_->values[static_cast<std::size_t>(place(i, j))]);
+  if (i >= j)
+    into += block;
+  else
+    into += block.transpose();
 }
 
 void BlockMatrix::add_diagonal(int i, double value) {
-  for (int k = 0; k < 3; ++k) state_->values[state_->column_start(i, k)] += value;
+  for (int k = 0; k < 3; ++k) state_->values[static_cast<std::size_t>(9 * i + 4 * k)] += value;
 }
 
+std::vector<double>& BlockMatrix::values() { return state_->values; }
 const std::vector<double>& BlockMatrix::values() const { return state_->values; }
-
-void BlockMatrix::set_values(const std::vector<double>& values) {
-  std::copy(values.begin(), values.end(), state_->values.begin());
-}
 
 bool BlockMatrix::factorise() {
   State& s = *state_;
-  run_on_one_thread();
-  s.common.status = CHOLMOD_OK;
-  const int done = cholmod_factorize(&s.matrix, s.factor, &s.common);
-  return done && s.common.status == CHOLMOD_OK && s.factor->minor == s.factor->n;
+  openblas_set_num_threads(1);
+  std::atomic<bool> definite = true;
+  in_order(s.upwards, [&](int task) {
+    for (const int node : s.plan.tasks[static_cast<std::size_t>(task)].supernodes)
+      if (!definite || !s.eliminate(static_cast<std::size_t>(node))) {
+        definite = false;
+        return;
+      }
+  });
+  return definite;
 }
 
 Eigen::Matrix3Xd BlockMatrix::solve(const Eigen::Matrix3Xd& b) const {
   State& s = *state_;
-  cholmod_dense right{};
-  right.nrow = right.d = right.nzmax = static_cast<std::size_t>(b.size());
-  right.ncol = 1;
-  right.x = const_cast<double*>(b.data());
-  right.xtype = CHOLMOD_REAL;
-  right.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* y = cholmod_solve(CHOLMOD_A, s.factor, &right, &s.common);
-  if (!y) throw std::runtime_error("BlockMatrix::solve: CHOLMOD failed");
-  const Eigen::Matrix3Xd solution = Eigen::Map<const Eigen::Matrix3Xd>(static_cast<const double*>(y->x), 3, b.cols());
-  cholmod_free_dense(&y, &s.common);
-  return solution;
+  Eigen::Matrix3Xd x(3, b.cols());
+  for (Eigen::Index v = 0; v < b.cols(); ++v) x.col(s.plan.position[static_cast<std::size_t>(v)]) = b.col(v);
+  in_order(s.upwards, [&](int task) {
+    for (const int node : s.plan.tasks[static_cast<std::size_t>(task)].supernodes)
+      s.forward(static_cast<std::size_t>(node), x.data());
+  });
+  in_order(s.downwards, [&](int task) {
+    const auto& nodes = s.plan.tasks[static_cast<std::size_t>(task)].supernodes;
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) s.backward(static_cast<std::size_t>(*node), x.data());
+  });
+  Eigen::Matrix3Xd y(3, b.cols());
+  for (Eigen::Index v = 0; v < b.cols(); ++v) y.col(v) = x.col(s.plan.position[static_cast<std::size_t>(v)]);
+  return y;
 }
 
 Eigen::Matrix3Xd BlockMatrix::multiply(const Eigen::Matrix3Xd& y) const {
   const State& s = *state_;
-  Eigen::Matrix3Xd product = Eigen::Matrix3Xd::Zero(3, y.cols());
-  const double* in = y.data();
-  double* out = product.data();
-  for (std::size_t column = 0; column + 1 < s.column_pointer.size(); ++column)
-    for (int at = s.column_pointer[column]; at < s.column_pointer[column + 1]; ++at) {
-      const auto row = static_cast<std::size_t>(s.row_index[static_cast<std::size_t>(at)]);
-      const double value = s.values[static_cast<std::size_t>(at)];
-      out[row] += value * in[column];
-      if (row != column) out[column] += value * in[row];
+  Eigen::Matrix3Xd product(3, y.cols());
+  const auto block = [&](int at) { return Eigen::Map<const Eigen::Matrix3d>(&s.values[static_cast<std::size_t>(at)]); };
+  for (int v = 0; v < s.vertices; ++v) product.col(v) = block(9 * v) * y.col(v);
+  for (int j = 0; j < s.vertices; ++j)
+    for (int b = s.first[static_cast<std::size_t>(j)]; b < s.first[static_cast<std::size_t>(j) + 1]; ++b) {
+      const int i = s.row[static_cast<std::size_t>(b)];
+      product.col(i) += block(9 * (s.vertices + b)) * y.col(j);
+      product.col(j) += block(9 * (s.vertices + b)).transpose() * y.col(i);
     }
   return product;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// Symmetric 3x3-block matrix with a fixed pattern, factorised by CHOLMOD (supernodal, nested dissection order, one BLAS thread
-// so that the same input gives the same bytes).
+// Symmetric 3x3-block matrix with a fixed pattern and its Cholesky factor: multifrontal (Liu 1992, The multifrontal method for
+// sparse matrix solution) on the supernodes of elimination.h, dense parts by BLAS. Branches of the elimination are worked on
+// by several threads; every sum has its own fixed order, so that the same input gives the same bytes on any number of them.
 
 #include <Eigen/Core>
 #include <memory>
@@ -18,14 +19,15 @@ class BlockMatrix {
   BlockMatrix& operator=(const BlockMatrix&) = delete;
 
   bool has(int i, int j) const;
-  void set_zero();
+  // Where in values() the block of this pair begins: nine numbers, rows max(i, j), columns min(i, j), column after column.
+  // Throws std::invalid_argument when the pair is not in the pattern.
+  int place(int i, int j) const;
   // Adds the block of rows `i`, columns `j`; of a symmetric pair give one of (i, j), (j, i). The pair must be in the pattern.
   void add(int i, int j, const Eigen::Matrix3d& block);
   void add_diagonal(int i, double value);
 
-  // The values, so that a constant part can be kept and put back.
+  std::vector<double>& values();
   const std::vector<double>& values() const;
-  void set_values(const std::vector<double>& values);
 
   // False when the matrix is not positive definite (to working precision).
   bool factorise();

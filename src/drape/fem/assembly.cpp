@@ -1,0 +1,123 @@
+#include "drape/fem/assembly.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "drape/fem/threads.h"
+
+namespace toile::fem {
+namespace {
+
+// Adds the lower blocks of `local`, whose rows are those of `vertex`, at their places.
+template <std::size_t corners, std::size_t blocks, class Local>
+void add_local(const std::array<int, corners>& vertex, const std::array<int, blocks>& place, const Local& local,
+               std::vector<double>& values) {
+  std::size_t b = 0;
+  for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t j = 0; j <= i; ++j, ++b) {
+      Eigen::Map<Eigen::Matrix3d> into(&values[static_cast<std::size_t>(place[b])]);
+      const auto block = local.template block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j));
+      if (vertex[i] >= vertex[j])
+        into += block;
+      else
+        into += block.transpose();
+    }
+}
+
+template <std::size_t blocks, std::size_t corners>
+std::array<int, blocks> places(const BlockMatrix& matrix, const std::array<int, corners>& vertex) {
+  std::array<int, blocks> place{};
+  std::size_t b = 0;
+  for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t j = 0; j <= i; ++j) place[b++] = matrix.place(vertex[i], vertex[j]);
+  return place;
+}
+
+// The share of one half of the triangles and hinges.
+void add_cloth(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
+               const HessianAssembly& assembly, std::size_t half, std::vector<double>& values) {
+  const auto part = [&](std::size_t count) { return std::pair{half * count / 2, (half + 1) * count / 2}; };
+  const auto [first_triangle, last_triangle] = part(model.triangles.size());
+  for (std::size_t t = first_triangle; t < last_triangle; ++t) {
+    const MembraneElement& element = model.triangles[t];
+    Vector9 ignored = Vector9::Zero();
+    Matrix9 local = Matrix9::Zero();
+    membrane_derivatives(element, model.law, corners_of(element, x), curvature, ignored, &local);
+    add_local(element.vertex, assembly.triangle_place[t], local, values);
+  }
+  const auto [first_hinge, last_hinge] = part(model.hinges.size());
+  for (std::size_t h = first_hinge; h < last_hinge; ++h) {
+    if (model.bend_frictions[h].moment <= 0) continue;
+    Vector12 ignored = Vector12::Zero();
+    Matrix12 local = Matrix12::Zero();
+    bend_friction_derivatives(model.bend_frictions[h], frozen.bent[h], model.hinges[h], x, curvature, ignored, &local);
+    add_local(model.hinges[h].vertex, assembly.hinge_place[h], local, values);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
+  std::vector<std::pair<int, int>> pairs = std::move(coupled);
+  for (const MembraneElement& e : model.triangles)
+    for (std::size_t i = 0; i < 3; ++i) pairs.emplace_back(e.vertex[i], e.vertex[(i + 1) % 3]);
+  for (const Hinge& h : model.hinges)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(h.vertex[i], h.vertex[j]);
+  std::unique_ptr<HessianAssembly> assembly(
+      new HessianAssembly{BlockMatrix(static_cast<int>(model.mass.size()), std::move(pairs)), {}, {}, {}, {}});
+  for (const MembraneElement& e : model.triangles) assembly->triangle_place.push_back(places<6>(assembly->matrix, e.vertex));
+  for (const Hinge& h : model.hinges) {
+    assembly->hinge_place.push_back(places<10>(assembly->matrix, h.vertex));
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        assembly->matrix.add(h.vertex[i], h.vertex[j], h.stiffness * h.weight[i] * h.weight[j] * Eigen::Matrix3d::Identity());
+  }
+  assembly->constant = assembly->matrix.values();
+  assembly->second.resize(assembly->constant.size());
+  return assembly;
+}
+
+void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, const std::vector<Touch>& touches,
+              Curvature curvature, HessianAssembly& assembly) {
+  BlockMatrix& matrix = assembly.matrix;
+  std::vector<double>& values = matrix.values();
+  in_ranges(2, 2, [&](int half, int, int) {
+    if (half == 0)
+      std::copy(assembly.constant.begin(), assembly.constant.end(), values.begin());
+    else
+      std::fill(assembly.second.begin(), assembly.second.end(), 0.0);
+    add_cloth(model, frozen, x, curvature, assembly, static_cast<std::size_t>(half), half == 0 ? values : assembly.second);
+  });
+  in_ranges(2, static_cast<int>(values.size()), [&](int, int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) values[i] += assembly.second[i];
+  });
+  for (Eigen::Index v = 0; v < x.cols(); ++v) {
+    const FrictionState& friction = frozen.vertex[static_cast<std::size_t>(v)];
+    if (friction.force > 0)
+      matrix.add(static_cast<int>(v), static_cast<int>(v), friction_hessian(model.contact, friction, x.col(v)));
+  }
+  for (const Touch& touch : touches) {
+    const DistanceSample& body = touch.body;
+    Eigen::Matrix3d block =
+        normal_stiffness(model.contact, touch.area, body.distance) * body.gradient * body.gradient.transpose();
+    if (curvature == Curvature::full) block -= normal_force(model.contact, touch.area, body.distance) * body.hessian;
+    const auto [a, b] = touch.vertex;
+    if (a == b) {
+      matrix.add(a, a, block);
+      continue;
+    }
+    block /= 4;
+    matrix.add(a, a, block);
+    matrix.add(b, b, block);
+    matrix.add(b, a, block);
+  }
+  add_self_contact(frozen.self, x, matrix);
+}
+
+void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
+              HessianAssembly& assembly) {
+  assemble(model, frozen, x, touching_sampled(model, x), curvature, assembly);
+}
+
+}  // namespace toile::fem
