@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
+
+#include "drape/side_by_side.h"
 
 namespace toile {
 namespace {
 
 constexpr double clearance = 0.01;  // m, between the body and a rolled panel
+constexpr double side_gap = 0.01;   // m, between panels side by side
 
 // Axes of a body part at the height where panels begin: `up` along the part towards its root, `front` and `left` across it.
 struct PartFrame {
@@ -81,25 +83,22 @@ Radii body_radii(const Mannequin& form, const PartFrame& frame, std::size_t rows
   return radii;
 }
 
-// Width of a panel (grain upright) by row below its top.
-Radii widths(const PanelMesh& panel, const Eigen::Matrix2Xd& flat) {
+// How far a panel (grain upright) reaches from its middle, by row below its top, and in the rows above and below that.
+RolledPanel reach_of(const PanelMesh& panel, const Eigen::Matrix2Xd& flat, double angle) {
   const double top = flat.row(1).maxCoeff();
+  const double middle = (flat.row(0).minCoeff() + flat.row(0).maxCoeff()) / 2;
   const std::size_t rows = row_of(top - flat.row(1).minCoeff()) + 1;
-  Radii low(rows, 1e9);
-  Radii high(rows, -1e9);
+  RolledPanel reach{angle, Radii(rows, 0.0), Radii(rows, 0.0)};
   for (Eigen::Index t = 0; t < panel.triangles.cols(); ++t) {
-    const Eigen::Vector3i corner = panel.triangles.col(t);
-    const double from = top - std::max({flat(1, corner(0)), flat(1, corner(1)), flat(1, corner(2))});
-    const double to = top - std::min({flat(1, corner(0)), flat(1, corner(1)), flat(1, corner(2))});
-    for (std::size_t row = row_of(from); row <= std::min(row_of(to), rows - 1); ++row)
-      for (int i = 0; i < 3; ++i) {
-        low[row] = std::min(low[row], flat(0, corner(i)));
-        high[row] = std::max(high[row], flat(0, corner(i)));
-      }
+    const Eigen::Matrix<double, 2, 3> corners = flat(Eigen::all, panel.triangles.col(t));
+    const std::size_t from = row_of(top - corners.row(1).maxCoeff() - row_height);
+    const std::size_t to = row_of(top - corners.row(1).minCoeff() + row_height);
+    for (std::size_t row = from; row <= std::min(to, rows - 1); ++row) {
+      reach.left[row] = std::max(reach.left[row], middle - corners.row(0).minCoeff());
+      reach.right[row] = std::max(reach.right[row], corners.row(0).maxCoeff() - middle);
+    }
   }
-  Radii width(rows);
-  for (std::size_t row = 0; row < rows; ++row) width[row] = std::max(0.0, high[row] - low[row]);
-  return width;
+  return reach;
 }
 
 double radius_at(const Radii& radii, double below) {
@@ -133,51 +132,49 @@ Eigen::Matrix3Xd rolled(const Eigen::Matrix2Xd& flat, const PartFrame& frame, co
 
 }  // namespace
 
-std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const GarmentMesh& garment, const Body& body) {
+std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const GarmentMesh& garment, const Body& body,
+                                           double higher) {
   std::vector<Eigen::Matrix3Xd> placed(garment.panels.size());
-  // Panels of one part and level go round it side by side: at every height on a circle that their widths fill, and that clears
-  // the body.
-  using Level = std::tuple<std::string, std::string, double>;
-  std::map<Level, Radii> level_width;
-  const auto part_of = [&](const PanelMesh& panel) -> const BodyPart* {
-    const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
-    const auto copy = static_cast<std::size_t>(panel.copy - 1);
-    return copy < piece.body_part.size() && piece.body_part[copy] ? &*piece.body_part[copy] : nullptr;
-  };
-  const auto placement_of = [&](const PanelMesh& panel) -> const Placement* {
-    const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
-    const auto copy = static_cast<std::size_t>(panel.copy - 1);
-    return copy < piece.placement.size() && piece.placement[copy] ? &*piece.placement[copy] : nullptr;
-  };
-  for (const PanelMesh& panel : garment.panels) {
-    const BodyPart* part = part_of(panel);
-    if (placement_of(panel) || !part) continue;
-    const Eigen::Matrix2Xd flat = as_worn(panel, part->grain_round);
-    Radii& together = level_width[{part->part, part->level, part->drop}];
-    const Radii width = widths(panel, flat);
-    together.resize(std::max(together.size(), width.size()), 0.0);
-    for (std::size_t row = 0; row < width.size(); ++row) together[row] += width[row];
-  }
+  // Panels of one part and level go round it side by side: at every height on a circle that has room for them and clears the
+  // body.
+  std::map<std::tuple<std::string, std::string, double>, std::vector<std::size_t>> levels;
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const PanelMesh& panel = garment.panels[p];
-    if (const Placement* placement = placement_of(panel)) {
+    const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
+    const auto copy = static_cast<std::size_t>(panel.copy - 1);
+    if (copy < piece.placement.size() && piece.placement[copy]) {
       Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Zero(3, panel.rest.cols());
       flat.topRows<2>() = panel.rest;
-      placed[p] = (placement->rotation * flat).colwise() + placement->translation;
-      continue;
-    }
-    const std::string place = "piece '" + panel.name + "'";
-    const BodyPart* part = part_of(panel);
-    if (!part)
-      throw BadInput({"drape.no-placement", Severity::error, place, "nothing says where on the body this piece sits",
+      placed[p] = (piece.placement[copy]->rotation * flat).colwise() + piece.placement[copy]->translation;
+    } else if (copy < piece.body_part.size() && piece.body_part[copy]) {
+      const BodyPart& part = *piece.body_part[copy];
+      levels[{part.part, part.level, part.drop}].push_back(p);
+    } else {
+      throw BadInput({"drape.no-placement", Severity::error, "piece '" + panel.name + "'",
+                      "nothing says where on the body this piece sits",
                       "Give it a place in the seams file: on = { part = \"trunk\", level = \"waist\", angle = 0 }"});
-    const bool trunk = part->part == "trunk";
-    const PartFrame frame = trunk ? trunk_frame(body.form, height_of(*part, body)) : limb_frame(body.form, *part, place);
-    Radii radii = level_width.at({part->part, part->level, part->drop});
-    const Radii clear_of = body_radii(body.form, frame, radii.size(), trunk);
-    for (std::size_t row = 0; row < radii.size(); ++row)
-      radii[row] = std::max(radii[row] / (2 * std::numbers::pi), clear_of[row] + clearance);
-    placed[p] = rolled(as_worn(panel, part->grain_round), frame, radii, part->angle);
+    }
+  }
+  for (const auto& [level, panels] : levels) {
+    std::vector<RolledPanel> sides;
+    std::vector<Eigen::Matrix2Xd> flats;
+    std::size_t rows = 0;
+    BodyPart part;
+    for (const std::size_t p : panels) {
+      const PanelMesh& panel = garment.panels[p];
+      part = *pattern.pieces[static_cast<std::size_t>(panel.piece)].body_part[static_cast<std::size_t>(panel.copy - 1)];
+      flats.push_back(as_worn(panel, part.grain_round));
+      sides.push_back(reach_of(panel, flats.back(), part.angle));
+      rows = std::max(rows, sides.back().left.size());
+    }
+    const bool trunk = part.part == "trunk";
+    PartFrame frame = trunk ? trunk_frame(body.form, height_of(part, body) + higher)
+                            : limb_frame(body.form, part, "piece '" + garment.panels[panels.front()].name + "'");
+    if (part.part.rfind("leg", 0) == 0) frame.origin += higher * frame.up;
+    Radii radii = body_radii(body.form, frame, rows, trunk);
+    for (double& radius : radii) radius += clearance;
+    give_room(sides, side_gap, radii);
+    for (std::size_t i = 0; i < panels.size(); ++i) placed[panels[i]] = rolled(flats[i], frame, radii, sides[i].angle);
   }
   return placed;
 }

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "body/relative.h"
 #include "collide/intersections.h"
 #include "collide/near_pairs.h"
 #include "drape/limb_panels.h"
 #include "drape/placement.h"
+#include "geometry/topology.h"
 
 namespace toile {
 namespace {
@@ -19,8 +21,10 @@ constexpr double step = 0.01;       // m
 constexpr double most_lift = 0.15;  // m
 constexpr double touching = 1e-3;   // m
 constexpr std::array<double, 4> narrower{.7, .5, .3, .15};
-constexpr double half_trunk = 0.12;  // of the body's height
-constexpr double row_gap = 0.1;      // m, between the middles of panels of two rows
+constexpr double above_ankle = 0.025;   // of the body's height: over the instep
+constexpr double beside_middle = 0.03;  // of the body's height
+constexpr double half_trunk = 0.12;     // of the body's height
+constexpr double row_gap = 0.1;         // m, between the middles of panels of two rows
 
 const Placement* placement_of(const Pattern& pattern, const PanelMesh& panel) {
   const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
@@ -89,11 +93,51 @@ std::vector<std::vector<std::size_t>> rows_of(const std::vector<Eigen::Matrix3Xd
   return rows;
 }
 
+const LimbAxis* left_leg(const std::vector<LimbAxis>& axes) {
+  const auto leg = std::find_if(axes.begin(), axes.end(), [](const LimbAxis& axis) { return axis.name == "leg.L"; });
+  return leg == axes.end() ? nullptr : &*leg;
+}
+
+double knee_height(const Mannequin& form) {
+  const std::vector<LimbAxis> axes = limb_axes(form);
+  const LimbAxis* leg = left_leg(axes);
+  return leg && leg->points.size() > 2 ? leg->points[1].y() : -1e9;
+}
+
+double ankle_height(const Mannequin& form) {
+  const std::vector<LimbAxis> axes = limb_axes(form);
+  const LimbAxis* leg = left_leg(axes);
+  return leg ? leg->points.back().y() + above_ankle * form.height : -1e9;
+}
+
+// Does some edge of the garment go round one leg, below the knee? By where its panels are placed.
+bool has_legs(const GarmentMesh& garment, const std::vector<Eigen::Matrix3Xd>& placed, const Mannequin& form) {
+  const LoosePanels cloth = loose_panels(garment, placed);
+  Eigen::Matrix3Xd at = Eigen::Matrix3Xd::Zero(3, garment.vertex_count);
+  for (std::size_t v = 0; v < cloth.garment_vertex.size(); ++v)
+    at.col(cloth.garment_vertex[v]) = cloth.positions.col(static_cast<Eigen::Index>(v));
+  const auto loops = boundary_loops(garment.triangles);
+  return std::any_of(loops.begin(), loops.end(), [&](const std::vector<int>& loop) {
+    const Eigen::Vector3d middle = at(Eigen::all, loop).rowwise().mean();
+    return middle.y() < knee_height(form) && std::abs(middle.x()) > beside_middle * form.height;
+  });
+}
+
+// What hangs below `ankles` is pushed together between there and `knee`: a hem that closes below the ankle closes beside the
+// foot. It comes down when the cloth unfolds.
+void gather_above(double ankles, double knee, Eigen::Matrix3Xd& x) {
+  const double low = x.row(1).minCoeff();
+  if (low >= ankles || knee <= ankles) return;
+  const double share = (knee - ankles) / (knee - low);
+  for (double& y : x.row(1))
+    if (y < knee) y = knee - share * (knee - y);
+}
+
 }  // namespace
 
 Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const Body& body, double higher) {
   Start start;
-  start.placed = place_panels(pattern, garment, body);
+  start.placed = place_panels(pattern, garment, body, higher);
   const std::size_t count = garment.panels.size();
   const std::vector<ArmLine> arms = arm_lines(body.form);
   std::vector<char> lifted(count, 0);
@@ -117,10 +161,11 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
     for (std::size_t i = 0; i < panels.size(); ++i) start.placed[on_arm[arm][i]] = rolled[i];
     for (const std::size_t p : on_arm[arm]) outside[p] = (arms[arm].wrist - arms[arm].shoulder).normalized();
   }
-  if (std::none_of(lifted.begin(), lifted.end(), [](char l) { return l != 0; })) return start;
 
   start.lift.assign(count, 0.0);
   const double kept = half_trunk * body.form.height;
+  const double knee = knee_height(body.form);
+  const double ankles = has_legs(garment, start.placed, body.form) ? ankle_height(body.form) : -1e9;
   const auto raised = [&](const std::vector<double>& lift, double narrowed) {
     auto placed = start.placed;
     for (std::size_t p = 0; p < count; ++p)
@@ -128,6 +173,7 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
         placed[p].row(1).array() += lift[p];
         for (double& x : placed[p].row(0))
           if (std::abs(x) > kept) x = std::copysign(kept + narrowed * (std::abs(x) - kept), x);
+        gather_above(ankles, knee, placed[p]);
         move_clear(body, outside[p], placed[p]);
       }
     return placed;
@@ -153,12 +199,14 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
   };
   std::vector<std::size_t> all;
   for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
-  lift_row(all);
+  if (!all.empty()) lift_row(all);
   if (rows.size() > 1)
     for (const auto& row : rows) lift_row(row);
   for (const double narrowed : narrower)
     if (fewest > 0) keep_if_fewer(start.lift, narrowed);
   for (double& lift : start.lift) lift += higher;
+  for (std::size_t p = 0; p < count; ++p)
+    start.gathered = start.gathered || (lifted[p] && start.placed[p].row(1).minCoeff() + start.lift[p] < ankles);
   start.placed = raised(start.lift, start.narrowed);
   part_touching(garment, outside, start.placed);
   const LoosePanels cloth = loose_panels(garment, start.placed);
