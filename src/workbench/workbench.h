@@ -24,7 +24,8 @@ struct Scene {
   Body body;
   Fabric fabric;
   Simulator simulator;
-  double hem = 30e-3;  // m, turned up at hems whose edges have no allowance of their own
+  double hem = 30e-3;       // m, turned up at hems whose edges have no allowance of their own
+  FindBody find_body = {};  // for edits that name another body
 };
 
 using DrapeSteps = std::function<void(const DrapeProgress&)>;
@@ -58,7 +59,8 @@ Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double
 Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const Eigen::Matrix3Xd& start,
                const DrapeControl& control = {});
 
-// Every edit of the recipe in turn, on the drape. Throws BadInput with the recipe's place.
+// Every edit of the recipe in turn, on the drape; after a grading on the target's body, which the scene has to have for what
+// follows. Throws BadInput with the recipe's place.
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits);
 
 // Phi with everything but the rest shape and the start fixed: hems of `pattern` turned up, then the scene's simulator. Keeps
