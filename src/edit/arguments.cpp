@@ -107,4 +107,20 @@ ReadArguments read_arguments(const std::string& operation, const std::vector<Par
   return read;
 }
 
+std::optional<BodyName> body_name(const std::string& operation, const ReadArguments& read) {
+  const auto name = [&](const char* parameter) {
+    const auto found = read.names.find(parameter);
+    return found == read.names.end() ? std::string() : found->second;
+  };
+  const bool sized = read.names.count("size") > 0;
+  if (!sized && !read.names.count("body")) return std::nullopt;
+  const std::string skeleton = name("skeleton");
+  const bool given = !skeleton.empty() && skeleton != "beside";
+  if (sized && given)
+    throw BadInput({"edit.two-parameters", Severity::error, "edit '" + operation + "', skeleton",
+                    "a size of the chart has its own skeleton",
+                    "leave \"skeleton\" out, or give \"body\" instead of \"size\""});
+  return BodyName{name("size"), name("body"), given ? skeleton : ""};
+}
+
 }  // namespace toile

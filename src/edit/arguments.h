@@ -2,6 +2,7 @@
 // An edit's arguments as written, read against its table of parameters.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,9 @@ struct ReadArguments {
 // edit.bad-length, edit.bad-angle (no unit, not a number), edit.bad-number, edit.bad-name (empty), edit.out-of-range.
 ReadArguments read_arguments(const std::string& operation, const std::vector<Parameter>& parameters,
                              const EditArguments& arguments);
+
+// The body that the arguments of `operation` name, when one of its parameters is a "size" or a "file". Throws BadInput
+// edit.two-parameters for a skeleton without its body.
+std::optional<BodyName> body_name(const std::string& operation, const ReadArguments& read);
 
 }  // namespace toile

@@ -1,10 +1,12 @@
+#include "edit/fit/fit.h"
+#include "edit/grade/grade.h"
 #include "edit/length/length.h"
 #include "edit/operation.h"
 
 namespace toile {
 
 const std::vector<EditOperation>& operations() {
-  static const std::vector<EditOperation> list{length_operation()};
+  static const std::vector<EditOperation> list{length_operation(), fit_operation(), grade_operation()};
   return list;
 }
 

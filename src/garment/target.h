@@ -2,6 +2,7 @@
 // What the user wants the draped garment to look like: x^g of the paper.
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "garment/report.h"
 
 namespace toile {
+
+struct Body;
 
 struct StyleTerms {
   double shape = 0, proportion = 0, fit = 0;
@@ -23,6 +26,7 @@ struct Target {
   std::vector<int> anchor;      // anchor loop vertices
   StyleTerms before, after;     // style energy by term, at the initial guess and at the end
   double normal_deviation_mean = 0, normal_deviation_max = 0;  // radians, target against source
+  std::shared_ptr<const Body> body;  // what the target is worn on, when that is not the source's body
   Report report;                // what the edit did and warns of
 };
 

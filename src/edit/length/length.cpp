@@ -2,10 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cstdio>
 #include <set>
-#include <stdexcept>
 
+#include "edit/account.h"
 #include "edit/arguments.h"
 #include "edit/length/handle.h"
 #include "edit/length/refusals.h"
@@ -37,20 +36,6 @@ const std::vector<Parameter>& length_parameters() {
   return parameters;
 }
 
-std::string degrees(double radians) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", radians / units::degree);
-  return text;
-}
-
-std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(100 * share))) + " %"; }
-
-void check_source(const EditInput& input) {
-  if (input.drape.cols() != input.garment.vertex_count)
-    throw std::invalid_argument("length: the drape has another number of vertices than the garment");
-  if (!input.drape.allFinite()) throw std::invalid_argument("length: the drape is not finite");
-}
-
 void describe(Report& report, const EditInput& input, const std::string& loop, double by, const std::vector<Handle>& handles,
               const Slide& slide) {
   const std::string place = "edit 'length'";
@@ -61,23 +46,12 @@ void describe(Report& report, const EditInput& input, const std::string& loop, d
     report.note("edit.anchor", place,
                 "nothing changes beyond the anchor at height " + in_mm(loop_centre(input.drape, handle.anchor.front()).y(), 0) +
                     ", " + in_mm(handle.level - handle.anchor_level, 0) + " from the loop");
-  report.note("edit.normals", place,
-              "normals turn by " + degrees(slide.deviation.mean) + " degrees in the mean, " + degrees(slide.deviation.most) +
-                  " at most; the fabric is stretched to between " + percent(slide.deviation.least_stretch) + " and " +
-                  percent(slide.deviation.most_stretch));
-  if (slide.deviation.mean > 3 * units::degree || slide.deviation.most > 45 * units::degree)
-    report.warn("edit.style-changed", place, "the garment's folds or flare could not be kept everywhere",
-                "look at the target; a smaller move or an anchor farther from the loop keeps more");
-  if (slide.deviation.least_stretch < 0.4 || slide.deviation.most_stretch > 2.5)
-    report.warn("edit.uneven", place, "the change is spread over little fabric", "name an anchor farther from the loop");
-  if (slide.deepest > 1e-3)
-    report.warn("edit.touches-body", place, "the target is " + in_mm(slide.deepest) + " inside the body somewhere",
-                "the drape will push it out; expect a difference there");
-  if (!slide.settled) report.note("edit.not-settled", place, "the target was still moving by more than 0.1 mm at the end");
+  describe_style(report, place, slide.deviation);
+  describe_end(report, place, slide.deepest, slide.settled);
 }
 
 Target apply_length(const EditInput& input, const EditArguments& arguments) {
-  check_source(input);
+  check_source(input, "length");
   const ReadArguments read = read_arguments("length", length_parameters(), arguments);
   const double by = read.numbers.at("by");
   const std::string& name = read.names.at("loop");

@@ -1,0 +1,110 @@
+#include "edit/fit/offset.h"
+
+#include <Eigen/Dense>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <set>
+#include <utility>
+
+#include "edit/reach.h"
+
+namespace toile {
+namespace {
+
+BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<RelativePlace>& places,
+                     const ContactRegion& contact, const Eigen::VectorXd& areas, double release) {
+  const Eigen::Index count = input.drape.cols();
+  const StyleWeights weights = style_weights(input.body.form.height);
+  BodyWishes wishes;
+  wishes.moves.assign(static_cast<std::size_t>(count), false);
+  std::set<int> held;
+  std::vector<int> pulled;
+  for (const FitLoop& fit : fits) {
+    for (const int v : fit.moving) wishes.moves[static_cast<std::size_t>(v)] = true;
+    held.insert(fit.loop.begin(), fit.loop.end());
+    for (std::size_t i = 0; i < fit.loop.size(); ++i)
+      if (fit.share(static_cast<Eigen::Index>(i)) > 0) pulled.push_back(fit.loop[i]);
+  }
+  wishes.least = contact.gap.cwiseMin(contact_distance(contact.gap));
+  wishes.release = Eigen::VectorXd::Zero(count);
+  wishes.offset = Eigen::VectorXd::Zero(count);
+  const Eigen::VectorXd way = way_along_cloth(input, pulled);
+  for (Eigen::Index v = 0; v < count; ++v) {
+    const auto at = static_cast<std::size_t>(v);
+    wishes.limb.push_back(places[at].limb);
+    wishes.offset(v) = places[at].offset;
+    if (wishes.moves[at] && contact.tight[at] && places[at].through_skin && !held.count(static_cast<int>(v)))
+      wishes.release(v) = smoothstep(way(v), 0, release);
+  }
+  for (const VertexLoop& edge : boundary_loops(input.garment.triangles))
+    for (const int v : edge) {
+      const auto at = static_cast<std::size_t>(v);
+      if (!wishes.moves[at] || held.count(v)) continue;
+      wishes.proportion.push_back(
+          proportion_term(v, places[at].axis, places[at].axis.dot(input.drape.col(v)), areas(v), weights));
+    }
+  return {input.body, areas, std::move(wishes)};
+}
+
+Styled offset_once(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                   BodyTerms terms, const ContactRegion& contact, const std::vector<SourceTriangle>& triangles,
+                   const StyleOptions& style) {
+  std::vector<bool> moves(static_cast<std::size_t>(input.drape.cols()), false);
+  for (const FitLoop& fit : fits)
+    for (const int v : fit.moving) moves[static_cast<std::size_t>(v)] = true;
+  HardConstraints hard;
+  for (Eigen::Index v = 0; v < input.drape.cols(); ++v)
+    if (!moves[static_cast<std::size_t>(v)]) hard.hold(static_cast<int>(v), input.drape.col(v));
+  for (std::size_t f = 0; f < fits.size(); ++f) {
+    const Eigen::Matrix3Xd goal = fits[f].moved(input.drape, offsets[f]);
+    for (Eigen::Index i = 0; i < goal.cols(); ++i) {
+      const int v = fits[f].loop[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d way = fits[f].axis.cross(fits[f].outward.col(i));
+      if (offsets[f](i) != 0 && way.norm() > 1e-3)
+        hard.hold_across(v, goal.col(i), way.normalized());
+      else
+        hard.hold(v, goal.col(i));
+    }
+  }
+  const StyleSolution slid = solve_style(input.drape, triangles, hard, terms.all(), style);
+  for (const FitLoop& fit : fits)
+    for (const int v : fit.loop) hard.hold(v, slid.positions.col(v));
+  const StyleSolution frozen = solve_style(slid.positions, triangles, hard, terms.all(), style);
+  return styled(input.body, terms, triangles, input.drape, contact.gap, slid.initial, frozen);
+}
+
+}  // namespace
+
+Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& from) {
+  Eigen::VectorXd way = Eigen::VectorXd::Constant(input.drape.cols(), std::numeric_limits<double>::infinity());
+  const VertexNeighbours neighbours = neighbours_of(level_mesh(input.garment.triangles), input.drape.cols());
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const int v : from) {
+    way(v) = 0;
+    queue.emplace(0, v);
+  }
+  while (!queue.empty()) {
+    const auto [so_far, v] = queue.top();
+    queue.pop();
+    if (so_far > way(v)) continue;
+    for (const int next : neighbours[static_cast<std::size_t>(v)]) {
+      const double there = so_far + (input.drape.col(v) - input.drape.col(next)).norm();
+      if (there >= way(next)) continue;
+      way(next) = there;
+      queue.emplace(there, next);
+    }
+  }
+  return way;
+}
+
+Styled offset_and_freeze(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                         const std::vector<RelativePlace>& places, const ContactRegion& contact, double release) {
+  const auto triangles = source_triangles(input.drape, input.garment.triangles);
+  const BodyTerms terms = body_terms(input, fits, places, contact, vertex_areas(triangles, input.drape.cols()), release);
+  return with_weakest_pull(
+      [&](const StyleOptions& style) { return offset_once(input, fits, offsets, terms, contact, triangles, style); });
+}
+
+}  // namespace toile

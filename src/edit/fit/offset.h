@@ -1,0 +1,20 @@
+#pragma once
+// Loops brought to where the fit wants them, the rest of the garment following with the least change of style.
+
+#include <vector>
+
+#include "edit/fit/fit_loop.h"
+#include "edit/styled.h"
+
+namespace toile {
+
+// `offsets`: by loop, m by loop vertex along its outward directions. The points may first give way round the limb, then they
+// are held where they came to lie. Within `release` (m, along the cloth) of the points that move, the garment need not keep its
+// distance to the body; free edges keep their place along it.
+Styled offset_and_freeze(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                         const std::vector<RelativePlace>& places, const ContactRegion& contact, double release);
+
+// m, shortest way along edges from any of `from` to every vertex; infinity where there is none.
+Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& from);
+
+}  // namespace toile

@@ -1,0 +1,30 @@
+#pragma once
+// A shape the style energy was solved for, judged against its source.
+
+#include <functional>
+#include <vector>
+
+#include "edit/body_terms.h"
+#include "garment/target.h"
+#include "style/normal_deviation.h"
+
+namespace toile {
+
+struct Styled {
+  Eigen::Matrix3Xd positions;
+  StyleTerms before, after;   // at the initial guess, at the end
+  NormalDeviation deviation;  // of the triangles that moved
+  double deepest = 0;         // m, how much deeper than it may a vertex is inside the body
+  bool settled = false;
+};
+
+// `reference`: the source's triangles, whose planes are to be kept. `gap`: m by vertex, what each had in the source.
+Styled styled(const Body& body, const BodyTerms& terms, const std::vector<SourceTriangle>& reference,
+              const Eigen::Matrix3Xd& source, const Eigen::VectorXd& gap, const Eigen::Matrix3Xd& initial,
+              const StyleSolution& solution);
+
+// What `solve` gives for the weakest pull towards the initial guess with which no triangle turns over and the solve settles;
+// failing that a stronger one with which none turns over, failing that the weakest.
+Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve);
+
+}  // namespace toile
