@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "body/parametric.h"
 #include "cli/exit_codes.h"
@@ -63,10 +64,31 @@ Body ready(Mannequin form, const std::filesystem::path& file) {
   }
 }
 
+// Bodies for edits: sizes of the recipe's chart, files beside the recipe. Each is made once.
+FindBody body_finder(const Job& job, const InputFiles& files) {
+  using Made = std::vector<std::pair<BodyName, std::shared_ptr<const Body>>>;
+  return [chart = files.is_chart ? files.body : std::filesystem::path(), folder = job.recipe_file.parent_path(),
+          made = std::make_shared<Made>()](const BodyName& name, const std::string& place) {
+    for (const auto& [known, body] : *made)
+      if (known == name) return body;
+    if (!name.size.empty() && chart.empty())
+      throw BadInput({"edit.no-chart", Severity::error, place, "the recipe's body is a file, which has no sizes",
+                      "Give body = \"other.obj\" instead of size, or make the garment for a size of a chart"});
+    const auto file = folder / name.file;
+    std::optional<std::filesystem::path> skeleton = skeleton_beside(file);
+    if (!name.skeleton.empty()) skeleton = folder / name.skeleton;
+    Mannequin form = name.size.empty() ? value_or_throw(read_body(file, skeleton))
+                                       : build_mannequin(value_or_throw(read_size_chart_row(chart, name.size)));
+    made->emplace_back(name, std::make_shared<const Body>(ready(std::move(form), name.size.empty() ? file : chart)));
+    return made->back().second;
+  };
+}
+
 // Before the drape, which takes its time: what can be known to be wrong with the edits as written.
-void check_written(const std::vector<Edit>& edits) {
+void check_written(const std::vector<Edit>& edits, const FindBody& find_body) {
   for (const Edit& edit : edits) try {
-      read_arguments(edit.operation, find_operation(edit.operation).parameters, edit.arguments);
+      const ReadArguments read = read_arguments(edit.operation, find_operation(edit.operation).parameters, edit.arguments);
+      if (const auto name = body_name(edit.operation, read)) find_body(*name, "edit '" + edit.operation + "'");
     } catch (const BadInput& bad) {
       Finding finding = bad.finding();
       finding.place = finding.place.empty() ? edit.place : edit.place + ", " + finding.place;
@@ -154,8 +176,9 @@ DrapeControl watched(Progress& progress) {
 void load(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("read");
-  check_written(recipe.edits);
   const InputFiles files = input_files(job.recipe_file, recipe);
+  job.scene.find_body = body_finder(job, files);
+  check_written(recipe.edits, job.scene.find_body);
   job.pattern = take(read_pattern(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
@@ -186,6 +209,10 @@ void work(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("edit");
   job.target = edit(job.worn, job.scene, recipe.edits);
+  if (job.target.body) {
+    job.source_body = std::make_shared<const Body>(std::move(job.scene.body));
+    job.scene.body = *job.target.body;
+  }
   add(job, job.target.report);
   progress.end(std::to_string(recipe.edits.size()) + " edits");
 

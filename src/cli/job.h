@@ -2,6 +2,7 @@
 // One run of a recipe: what was read, what each stage made. The files are written from it.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Job {
   Scene scene;
   StuckDressing stuck;
   Worn worn;
+  std::shared_ptr<const Body> source_body;  // of the source drape, when the target is worn on another
   Target target;
   Adjustment adjustment;
   Redrawn redrawn;

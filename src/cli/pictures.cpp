@@ -55,13 +55,15 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   const Eigen::VectorXd adjusted = to_target(job.verified.drape.positions);
   const Eigen::VectorXd flattened = to_target(job.adjustment.flattened_drape.positions);
   // One frame for all, so that they can be laid over each other.
-  const Showing showing{job.scene.body.form, garment, job.worn.drape.positions};
+  const Showing showing{job.scene.body.form, garment, job.source_body ? target : job.worn.drape.positions};
 
   ShownPictures pictures;
   const auto write = [&](const std::string& file, const std::string& caption, const Image& image) {
     pictures.views.push_back(written(out, file, caption, image));
   };
-  write("source.png", "The pattern as it was read, draped.", drape_picture(showing, job.worn.drape.positions, "source"));
+  write("source.png", "The pattern as it was read, draped.",
+        drape_picture({job.source_body ? job.source_body->form : job.scene.body.form, garment, job.worn.drape.positions},
+                      job.worn.drape.positions, "source"));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
   write("redrape.png", "The adjusted pattern draped anew, coloured by its distance to the target.",
         distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"},
