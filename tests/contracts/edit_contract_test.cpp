@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 
 #include "edit/operation.h"
@@ -18,7 +21,20 @@ namespace {
 struct Scene {
   testing::SyntheticSkirt skirt = testing::synthetic_skirt({.columns = 48, .rows = 30});
   Body body = make_body(skirt.form);
-  EditInput input() const { return {skirt.pattern, skirt.garment, skirt.drape, body}; }
+  std::shared_ptr<const Body> same = std::make_shared<const Body>(body), wider = std::make_shared<const Body>(wide());
+  EditInput input() const {
+    return {skirt.pattern, skirt.garment, skirt.drape, body, [this](const BodyName& name, const std::string& place) {
+              if (name.size == "wider" || name.file == "wider.obj") return wider;
+              if (name.size == "same") return same;
+              throw BadInput({"edit.no-such-body", Severity::error, place, "there is no such body", "same or wider"});
+            }};
+  }
+  Body wide() const {
+    Mannequin form = skirt.form;
+    form.positions.row(0) *= 1.08;
+    form.positions.row(2) *= 1.08;
+    return make_body(form);
+  }
 };
 
 const Scene& scene() {
@@ -26,14 +42,25 @@ const Scene& scene() {
   return one;
 }
 
-// Its defaults, and something small for what must be given.
-EditArguments plain(const EditOperation& operation) {
+// Its defaults, and something small for what must be given; nothing at all when `still`.
+EditArguments plain(const EditOperation& operation, bool still = false) {
   EditArguments arguments;
   for (const Parameter& parameter : operation.parameters)
-    if (!parameter.by_default)
-      arguments[parameter.name] = parameter.unit == "m" ? "2 cm" : parameter.unit == "loop" ? "hem" : "1";
+    if (!parameter.by_default && parameter.instead_of.empty())
+      arguments[parameter.name] = parameter.unit == "m"      ? (still ? "0" : "2 cm")
+                                  : parameter.unit == "deg"  ? (still ? "0 deg" : "5 deg")
+                                  : parameter.unit == "loop" ? "hem"
+                                  : parameter.unit == "size" ? (still ? "same" : "wider")
+                                                             : (still ? "0" : "1");
   return arguments;
 }
+
+bool has_loop(const EditOperation& operation) {
+  return std::any_of(operation.parameters.begin(), operation.parameters.end(),
+                     [](const Parameter& parameter) { return parameter.name == "loop"; });
+}
+
+const Body& worn_on(const Target& target) { return target.body ? *target.body : scene().body; }
 
 class EditContract : public ::testing::TestWithParam<EditOperation> {};
 
@@ -43,7 +70,8 @@ TEST_P(EditContract, DescribesItselfAndItsParameters) {
   for (const Parameter& parameter : GetParam().parameters) {
     EXPECT_FALSE(parameter.name.empty());
     EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
-    EXPECT_TRUE(parameter.unit == "m" || parameter.unit == "" || parameter.unit == "loop") << parameter.unit;
+    EXPECT_TRUE((std::set<std::string>{"m", "deg", "", "loop", "size", "file"}).count(parameter.unit)) << parameter.unit;
+    EXPECT_TRUE(parameter.instead_of.empty() || !parameter.by_default) << parameter.name;
     EXPECT_TRUE(!parameter.least || !parameter.most || *parameter.least < *parameter.most) << parameter.name;
   }
 }
@@ -55,7 +83,7 @@ TEST_P(EditContract, KeepsTheGarmentAndGivesFinitePositions) {
   ASSERT_EQ(target.positions.cols(), target.source.cols());
   EXPECT_TRUE(target.positions.allFinite());
   EXPECT_TRUE(target.report.ok());
-  EXPECT_FALSE(target.held.empty());
+  EXPECT_EQ(target.held.empty(), !has_loop(GetParam()));
   for (const int v : target.held) EXPECT_TRUE(v >= 0 && v < target.source.cols());
   for (const int v : target.anchor) EXPECT_EQ(target.positions.col(v), target.source.col(v));
   EXPECT_GE(target.normal_deviation_max, target.normal_deviation_mean);
@@ -75,12 +103,25 @@ TEST_P(EditContract, ChangesSomethingAndTurnsNoTriangleOver) {
 
 TEST_P(EditContract, GoesNoDeeperIntoTheBodyThanTheSource) {
   const Target target = GetParam().apply(scene().input(), plain(GetParam()));
-  const auto deepest = [&](const Eigen::Matrix3Xd& x) {
+  const auto deepest = [](const Body& body, const Eigen::Matrix3Xd& x) {
     double least = 0;
-    for (Eigen::Index v = 0; v < x.cols(); ++v) least = std::min(least, scene().body.distance.distance(x.col(v)));
+    for (Eigen::Index v = 0; v < x.cols(); ++v) least = std::min(least, body.distance.distance(x.col(v)));
     return least;
   };
-  EXPECT_GE(deepest(target.positions), deepest(target.source) - 1e-4);
+  EXPECT_GE(deepest(worn_on(target), target.positions), deepest(scene().body, target.source) - 1e-4);
+}
+
+TEST_P(EditContract, GivesTheSourceBackWhenNothingIsAskedFor) {
+  const Target target = GetParam().apply(scene().input(), plain(GetParam(), true));
+  EXPECT_LT((target.positions - target.source).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT(target.normal_deviation_max, 1e-3);
+}
+
+TEST_P(EditContract, SaysWhatItDid) {
+  const Target target = GetParam().apply(scene().input(), plain(GetParam()));
+  std::set<std::string> codes;
+  for (const Finding& finding : target.report.findings) codes.insert(finding.code);
+  for (const char* code : {"edit.moved", "edit.normals"}) EXPECT_TRUE(codes.count(code)) << code;
 }
 
 TEST_P(EditContract, GivesTheSameBytesTwice) {
@@ -105,15 +146,32 @@ TEST_P(EditContract, RefusesNonsenseWithPlaceAndRemedy) {
   for (const Parameter& parameter : GetParam().parameters) {
     for (const char* nonsense : {"", "banana", "10", "nan m", "1e9 m", "no.such, loop:7"}) {
       if (parameter.unit == "" && std::string(nonsense) == "10") continue;
+      if (!parameter.instead_of.empty()) continue;  // refused beside what it stands for, whatever it is
       arguments = plain(GetParam());
       arguments[parameter.name] = nonsense;
       expect_refused(arguments, parameter.name + " = '" + nonsense + "'");
     }
-    if (parameter.by_default) continue;
+    if (!parameter.instead_of.empty()) {
+      arguments = plain(GetParam());
+      arguments[parameter.name] = "1 cm";
+      expect_refused(arguments, parameter.name + " beside " + parameter.instead_of);
+      arguments.erase(parameter.instead_of);
+      arguments[parameter.name] = "no such thing";
+      expect_refused(arguments, parameter.name + " = 'no such thing'");
+    }
+    if (parameter.by_default || !parameter.instead_of.empty()) continue;
     arguments = plain(GetParam());
     arguments.erase(parameter.name);
     expect_refused(arguments, "no " + parameter.name);
   }
+}
+
+TEST_P(EditContract, RefusesADrapeThatIsNotFinite) {
+  Eigen::Matrix3Xd broken = scene().skirt.drape;
+  broken(1, 7) = std::numeric_limits<double>::quiet_NaN();
+  EditInput input = scene().input();
+  const EditInput with{input.pattern, input.garment, broken, input.body, input.find_body};
+  EXPECT_THROW(GetParam().apply(with, plain(GetParam())), std::invalid_argument);
 }
 
 TEST_P(EditContract, RefusesADrapeOfAnotherGarment) {
