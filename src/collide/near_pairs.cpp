@@ -3,6 +3,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <future>
 #include <numeric>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace toile {
 namespace {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+constexpr std::ptrdiff_t scan_below = 400;  // boxes: CGAL's cutoff, fastest for meshes of 10,000 to 60,000 triangles
 // CGAL sorts what it is given: pointers are cheaper to move than boxes.
 std::vector<const Box*> handles(const std::vector<Box>& boxes) {
   std::vector<const Box*> list;
@@ -65,13 +67,15 @@ List points_by_faces(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, doubl
   auto face_list = handles(faces);
   List found;
   const auto group = [&](int v) { return mesh.group[static_cast<std::size_t>(v)]; };
-  CGAL::box_intersection_d(point_list.begin(), point_list.end(), face_list.begin(), face_list.end(),
-                           [&](const Box* point, const Box* face) {
-                             const int g = group(point->info());
-                             const auto c = mesh.triangles.col(face->info());
-                             if (g == group(c(0)) || g == group(c(1)) || g == group(c(2))) return;
-                             found.push_back({point->info(), face->info()});
-                           });
+  CGAL::box_intersection_d(
+      point_list.begin(), point_list.end(), face_list.begin(), face_list.end(),
+      [&](const Box* point, const Box* face) {
+        const int g = group(point->info());
+        const auto c = mesh.triangles.col(face->info());
+        if (g == group(c(0)) || g == group(c(1)) || g == group(c(2))) return;
+        found.push_back({point->info(), face->info()});
+      },
+      CGAL::Box_intersection_d::Box_traits_d<const Box*>(), scan_below);
   return found;
 }
 
@@ -83,14 +87,17 @@ List edges_by_edges(const Eigen::Matrix3Xd& x, const CollisionMesh& mesh, double
   auto list = handles(edges);
   List found;
   const auto group = [&](int v) { return mesh.group[static_cast<std::size_t>(v)]; };
-  CGAL::box_self_intersection_d(list.begin(), list.end(), [&](const Box* one, const Box* other) {
-    const auto a = mesh.edges.col(one->info());
-    const auto b = mesh.edges.col(other->info());
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        if (group(a(i)) == group(b(j))) return;
-    found.push_back({std::min(one->info(), other->info()), std::max(one->info(), other->info())});
-  });
+  CGAL::box_self_intersection_d(
+      list.begin(), list.end(),
+      [&](const Box* one, const Box* other) {
+        const auto a = mesh.edges.col(one->info());
+        const auto b = mesh.edges.col(other->info());
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j)
+            if (group(a(i)) == group(b(j))) return;
+        found.push_back({std::min(one->info(), other->info()), std::max(one->info(), other->info())});
+      },
+      CGAL::Box_intersection_d::Box_traits_d<const Box*>(), scan_below);
   return found;
 }
 
@@ -123,14 +130,14 @@ CollisionMesh collision_mesh(const Eigen::Matrix3Xi& triangles, int vertex_count
 }
 
 NearPairSearch::NearPairSearch(CollisionMesh mesh, double distance, double margin)
-    : mesh_(std::move(mesh)), distance_(distance), margin_(margin) {}
+    : mesh_(std::move(mesh)), distance_(distance), listing_(margin) {}
 
 std::vector<NearPair> NearPairSearch::find(const Eigen::Matrix3Xd& x) {
-  if (listed_at_.cols() != x.cols() || (x - listed_at_).colwise().squaredNorm().maxCoeff() > margin_ * margin_) {
-    listed_at_ = x;
-    const double reach = distance_ / 2 + margin_;
-    point_face_ = points_by_faces(x, mesh_, reach);
+  if (const auto margin = listing_.renew(x)) {
+    const double reach = distance_ / 2 + *margin;
+    auto points = std::async(std::launch::async, [&] { return points_by_faces(x, mesh_, reach); });
     edge_edge_ = edges_by_edges(x, mesh_, reach);
+    point_face_ = points.get();
   }
   std::vector<NearPair> pairs;
   for (const auto& [v, t] : point_face_) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "collide/listing.h"
+
 namespace toile {
 
 // What collides. Edges are those of the triangles; vertices of one group (the two sides of a stitch) count as one, so that what
@@ -30,8 +32,8 @@ struct NearPair {
   double distance = 0;                               // m
 };
 
-// Finds near pairs again and again while a cloth moves: what is within `distance` + 2 `margin` is listed once and looked
-// through until something has moved by more than `margin`. The same pairs as near_pairs gives.
+// Finds near pairs again and again while a cloth moves: what is within `distance` and twice a margin, at most `margin`, is
+// listed once and looked through until something has moved by more than that. The same pairs as near_pairs gives.
 class NearPairSearch {
  public:
   NearPairSearch(CollisionMesh mesh, double distance, double margin);
@@ -40,8 +42,8 @@ class NearPairSearch {
 
  private:
   CollisionMesh mesh_;
-  double distance_, margin_;
-  Eigen::Matrix3Xd listed_at_;
+  double distance_;
+  Listing listing_;
   std::vector<std::array<int, 2>> point_face_, edge_edge_;
 };
 

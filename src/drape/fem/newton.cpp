@@ -66,13 +66,13 @@ Forces forces_at(const Model& model, const Frozen& frozen, const State& state, c
 class Untouched {
  public:
   Untouched(const Model& model, const Eigen::Matrix3Xd& start)
-      : triangles_(model.cloth.triangles),
-        free_(intersecting_triangles(start, triangles_).empty()),
+      : crossings_(model.cloth.triangles, near_margin),
+        free_(!crossings_.any(start)),
         near_(model.cloth, truncation_reach, truncation_reach / 2) {}
 
   // Nothing when the cloth may go to `to`, else as far towards it as every part may go without passing through another.
   std::optional<Eigen::Matrix3Xd> held(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
-    if (!free_ || intersecting_triangles(to, triangles_).empty()) return {};
+    if (!free_ || !crossings_.any(to)) return {};
     Eigen::Matrix3Xd x = from;
     Truncation(from, near_).advance(x, to);
     return x;
@@ -80,7 +80,7 @@ class Untouched {
 
  private:
   static constexpr double truncation_reach = 8e-3;  // m
-  const Eigen::Matrix3Xi& triangles_;
+  IntersectionSearch crossings_;
   bool free_;
   NearPairSearch near_;
 };
