@@ -22,7 +22,7 @@ struct Levels {
 
 Levels levels(const Measures& m) {
   const double rise = .174 * m.height + 1.5_cm - band_height / 2;  // the band sits astride the waist
-  return {rise, .03 * m.height, -.178 * m.height, -.325 * m.height};
+  return {rise, .03 * m.height, -.178 * m.height, -.385 * m.height};
 }
 
 // Half a pair of trousers, front or back: x from the crease, y from the crotch line; the crotch at x < 0, the side at x > 0.
