@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "collide/intersections.h"
 #include "drape/dress.h"
 #include "edit/loops.h"
 #include "garment/units.h"
 #include "triangulate/hems.h"
 #include "triangulate/triangulate.h"
-#include "workbench/coarse_start.h"
 #include "workbench/stretch.h"
 
 namespace toile {
@@ -19,8 +17,6 @@ constexpr double penetration_limit = 0.5e-3;  // m
 constexpr double slip_limit = 30e-3;          // m
 constexpr double shaken_tolerance = 3e-3;     // on |unbalanced force| / |weight|
 constexpr int most_shakes = 8;
-constexpr int coarse_triangles = 3000;  // more are first hung as fewer
-constexpr double coarsening = 2;
 constexpr double still = 0.3e-3;  // m, mean movement of a round
 
 std::string scientific(double value) {
@@ -70,7 +66,7 @@ Worn sewn(const Pattern& pattern, double edge_length) {
 // it fall on, until it hardly moves: what it holds in the end are the folds that it falls into by itself.
 Drape settled(const Worn& worn, const Scene& scene, const Eigen::Matrix3Xd& start, double tolerance, DrapeControl control) {
   Eigen::Matrix3Xd x = start;
-  double seconds = worn.drape.seconds, slipped = worn.drape.slipped;  // of a coarser mesh so far
+  double seconds = 0, slipped = 0;
   const auto fall = [&](double to) {
     Drape drape = phi(worn.pattern, scene, control)(worn.garment, x, to);
     seconds += drape.seconds;
@@ -105,38 +101,6 @@ Report linked_at(Worn& worn, const Scene& scene, const Eigen::Matrix3Xd& start) 
   linked.append(check_caught(worn.garment, start, scene.body.form));
   worn.links_ok = linked.ok();
   return linked;
-}
-
-// Sewn and hung with triangles twice as long, a garment takes a fifth of the time to fall into place; it then hangs almost as
-// the fine one will.
-struct CoarseStart {
-  Eigen::Matrix3Xd positions;  // by vertex of the fine garment
-  double seam_gap = 0, seconds = 0, slipped = 0;
-};
-
-// Nothing where the coarse garment does not come together, or would pass through itself on the fine mesh.
-std::optional<CoarseStart> coarse_start(Worn& fine, const Scene& scene, double edge_length, const DrapeControl& control) {
-  Worn coarse = sewn(fine.pattern, coarsening * edge_length);
-  DressOptions options;
-  options.progress = control.dressing;
-  const Dressed dressed = dress(fine.pattern, coarse.garment, scene.body, options);
-  if (!dressed.report.ok()) return std::nullopt;
-  if (!has_hem(coarse.pattern)) mark_hems(coarse.garment, dressed.positions, scene.body, coarse.pattern);
-  const Drape drape = settled(coarse, scene, dressed.positions, shaken_tolerance, control);
-  CoarseStart start{carried_over(coarse.garment, drape.positions, fine.garment), dressed.seam_gap, drape.seconds,
-                    drape.slipped};
-  if (drape.self_intersections > 0 || !intersecting_triangles(start.positions, fine.garment.triangles).empty() ||
-      !linked_at(fine, scene, start.positions).ok())
-    return std::nullopt;
-  return start;
-}
-
-void hang_from(Worn& worn, const Scene& scene, const CoarseStart& start, double tolerance, DrapeControl control) {
-  if (control.time_limit) control.time_limit = std::max(0.0, *control.time_limit - start.seconds);
-  worn.seam_gap = start.seam_gap;
-  worn.drape.seconds = start.seconds;
-  worn.drape.slipped = start.slipped;
-  settle(worn, scene, start.positions, tolerance, control);
 }
 
 }  // namespace
@@ -180,12 +144,6 @@ Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeControl& con
 
 Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const DrapeControl& control) {
   Worn worn = sewn(pattern, edge_length);
-  if (triangle_count(worn.garment) > coarse_triangles) {
-    if (const auto start = coarse_start(worn, scene, edge_length, control)) {
-      hang_from(worn, scene, *start, tolerance, control);
-      return worn;
-    }
-  }
   DressOptions options;
   options.progress = control.dressing;
   Dressed dressed = dress(pattern, worn.garment, scene.body, options);
