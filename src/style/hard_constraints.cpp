@@ -17,12 +17,4 @@ void HardConstraints::hold_along(int vertex, const Eigen::Vector3d& axis, double
   vertices[vertex] = freedom;
 }
 
-void HardConstraints::hold_across(int vertex, const Eigen::Vector3d& at, const Eigen::Vector3d& way) {
-  VertexFreedom freedom;
-  freedom.fixed = at - way * way.dot(at);
-  freedom.free.resize(3, 1);
-  freedom.free.col(0) = way;
-  vertices[vertex] = freedom;
-}
-
 }  // namespace toile

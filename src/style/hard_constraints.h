@@ -18,8 +18,6 @@ struct HardConstraints {
   void hold(int vertex, const Eigen::Vector3d& at);
   // Keeps `axis` . x at `coordinate` and leaves the vertex free across the axis (unit).
   void hold_along(int vertex, const Eigen::Vector3d& axis, double coordinate);
-  // Leaves the vertex free along `way` (unit) through `at`, and nowhere else.
-  void hold_across(int vertex, const Eigen::Vector3d& at, const Eigen::Vector3d& way);
 };
 
 }  // namespace toile

@@ -183,7 +183,7 @@ Target apply_fit(const EditInput& input, const EditArguments& arguments) {
                   "nothing changes beyond the anchor at height " + in_mm(loop_centre(input.drape, ring).y(), 0));
     }
   }
-  Styled styled = offset_and_freeze(input, fits, offsets, places, contact, release);
+  Styled styled = offset_loops(input, fits, offsets, places, contact, release);
   for (const FitLoop& fit : fits)
     describe_ease(report, name, loop_ease(input.body.form, input.drape, fit.loop, fit.axis),
                   loop_ease(input.body.form, styled.positions, fit.loop, fit.axis));

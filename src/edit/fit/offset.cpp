@@ -47,9 +47,9 @@ BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, c
   return {input.body, areas, std::move(wishes)};
 }
 
-Styled offset_once(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
-                   BodyTerms terms, const ContactRegion& contact, const std::vector<SourceTriangle>& triangles,
-                   const StyleOptions& style) {
+Styled hold_and_solve(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                      BodyTerms terms, const ContactRegion& contact, const std::vector<SourceTriangle>& triangles,
+                      const StyleOptions& style) {
   std::vector<bool> moves(static_cast<std::size_t>(input.drape.cols()), false);
   for (const FitLoop& fit : fits)
     for (const int v : fit.moving) moves[static_cast<std::size_t>(v)] = true;
@@ -58,20 +58,10 @@ Styled offset_once(const EditInput& input, const std::vector<FitLoop>& fits, con
     if (!moves[static_cast<std::size_t>(v)]) hard.hold(static_cast<int>(v), input.drape.col(v));
   for (std::size_t f = 0; f < fits.size(); ++f) {
     const Eigen::Matrix3Xd goal = fits[f].moved(input.drape, offsets[f]);
-    for (Eigen::Index i = 0; i < goal.cols(); ++i) {
-      const int v = fits[f].loop[static_cast<std::size_t>(i)];
-      const Eigen::Vector3d way = fits[f].axis.cross(fits[f].outward.col(i));
-      if (offsets[f](i) != 0 && way.norm() > 1e-3)
-        hard.hold_across(v, goal.col(i), way.normalized());
-      else
-        hard.hold(v, goal.col(i));
-    }
+    for (Eigen::Index i = 0; i < goal.cols(); ++i) hard.hold(fits[f].loop[static_cast<std::size_t>(i)], goal.col(i));
   }
-  const StyleSolution slid = solve_style(input.drape, triangles, hard, terms.all(), style);
-  for (const FitLoop& fit : fits)
-    for (const int v : fit.loop) hard.hold(v, slid.positions.col(v));
-  const StyleSolution frozen = solve_style(slid.positions, triangles, hard, terms.all(), style);
-  return styled(input.body, terms, triangles, input.drape, contact.gap, slid.initial, frozen);
+  const StyleSolution solution = solve_style(input.drape, triangles, hard, terms.all(), style);
+  return styled(input.body, terms, triangles, input.drape, contact.gap, solution.initial, solution);
 }
 
 }  // namespace
@@ -99,12 +89,12 @@ Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& 
   return way;
 }
 
-Styled offset_and_freeze(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
-                         const std::vector<RelativePlace>& places, const ContactRegion& contact, double release) {
+Styled offset_loops(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                    const std::vector<RelativePlace>& places, const ContactRegion& contact, double release) {
   const auto triangles = source_triangles(input.drape, input.garment.triangles);
   const BodyTerms terms = body_terms(input, fits, places, contact, vertex_areas(triangles, input.drape.cols()), release);
   return with_weakest_pull(
-      [&](const StyleOptions& style) { return offset_once(input, fits, offsets, terms, contact, triangles, style); });
+      [&](const StyleOptions& style) { return hold_and_solve(input, fits, offsets, terms, contact, triangles, style); });
 }
 
 }  // namespace toile

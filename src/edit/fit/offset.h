@@ -8,11 +8,10 @@
 
 namespace toile {
 
-// `offsets`: by loop, m by loop vertex along its outward directions. The points may first give way round the limb, then they
-// are held where they came to lie. Within `release` (m, along the cloth) of the points that move, the garment need not keep its
-// distance to the body; free edges keep their place along it.
-Styled offset_and_freeze(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
-                         const std::vector<RelativePlace>& places, const ContactRegion& contact, double release);
+// `offsets`: by loop, m by loop vertex along its outward directions; the points are held there. Within `release` (m, along the
+// cloth) of the points that move, the garment need not keep its distance to the body; free edges keep their place along it.
+Styled offset_loops(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
+                    const std::vector<RelativePlace>& places, const ContactRegion& contact, double release);
 
 // m, shortest way along edges from any of `from` to every vertex; infinity where there is none.
 Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& from);

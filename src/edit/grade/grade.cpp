@@ -56,7 +56,8 @@ std::vector<SourceTriangle> posed(const EditInput& input, const std::vector<Eige
 BodyTerms body_terms(const EditInput& input, const Body& to, const LimbMap& map, const Transferred& start,
                      const std::vector<RelativePlace>& places, const ContactRegion& contact, const Eigen::VectorXd& areas) {
   constexpr double loose_fit = 0.01;  // of what tight cloth is asked; it only keeps a garment that is loose all over in place
-  constexpr double staying = 1e-3;    // of the weight of fit; it only decides what nothing else does
+  constexpr double loose_proportion = 0.02;  // likewise: so that it does not creep along its own surface
+  constexpr double staying = 5e-3;           // of the weight of fit; it only decides what nothing else does
   const Eigen::Index count = input.drape.cols();
   const StyleWeights weights = style_weights(to.form.height);
   std::vector<bool> on_edge(static_cast<std::size_t>(count), false);
@@ -72,8 +73,9 @@ BodyTerms body_terms(const EditInput& input, const Body& to, const LimbMap& map,
     wishes.offset(v) = places[at].offset;
     if (places[at].through_skin)
       wishes.release(v) = contact.tight[at] ? 1 : loose_fit * (1 - smoothstep(places[at].offset, 0.05, 0.20));
-    if (contact.tight[at] || on_edge[at])
-      wishes.proportion.push_back(proportion_term(static_cast<int>(v), start.axis.col(v), start.level(v), areas(v), weights));
+    const double share = contact.tight[at] || on_edge[at] ? 1 : loose_proportion;
+    wishes.proportion.push_back(
+        proportion_term(static_cast<int>(v), start.axis.col(v), start.level(v), share * areas(v), weights));
     for (int i = 0; i < 3; ++i)
       wishes.proportion.push_back({static_cast<int>(v), Eigen::Vector3d::Unit(i), start.positions(i, v),
                                    staying * weights.fit * areas(v) / (weights.length * weights.length)});

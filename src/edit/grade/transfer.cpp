@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "edit/reach.h"
 #include "style/soft_terms.h"
@@ -70,6 +71,22 @@ void fill(const VertexNeighbours& neighbours, const std::vector<bool>& known, Ei
     }
 }
 
+// Evens out the displacement where the cloth is off the body: bones and skin below loose cloth change from vertex to vertex.
+void even_out_loose(const VertexNeighbours& neighbours, const std::vector<RelativePlace>& places, Eigen::Matrix3Xd& moved) {
+  for (int round = 0; round < 40; ++round) {
+    Eigen::Matrix3Xd next = moved;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const double loose = places[v].through_skin ? smoothstep(places[v].offset, 0.01, 0.05) : 1;
+      if (neighbours[v].empty() || !(loose > 0)) continue;
+      const auto column = static_cast<Eigen::Index>(v);
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const int w : neighbours[v]) mean += moved.col(w) / static_cast<double>(neighbours[v].size());
+      next.col(column) += 0.5 * loose * (mean - moved.col(column));
+    }
+    moved = std::move(next);
+  }
+}
+
 // Evened out, so that the triangles over a shoulder turn by degrees from the trunk's pose to the arm's.
 void even_out(const VertexNeighbours& neighbours, std::vector<Eigen::Matrix3d>& turn) {
   Eigen::Matrix3Xd field(3, static_cast<Eigen::Index>(turn.size()));
@@ -127,6 +144,7 @@ Transferred transfer(const EditInput& input, const std::vector<RelativePlace>& p
     known[static_cast<std::size_t>(v)] = true;
   }
   fill(neighbours, known, moved);
+  even_out_loose(neighbours, places, moved);
   result.positions = input.drape + moved;
   for (Eigen::Index v = 0; v < count; ++v) {
     const double now = result.axis.col(v).dot(result.positions.col(v));
