@@ -2,7 +2,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "body/parametric.h"
 #include "edit/grade/limb_map.h"
@@ -35,6 +37,9 @@ const Scene& scene() {
 
 // Wider by `wide` about the upright axis, taller by `tall`; with other triangles when `other_topology`.
 std::shared_ptr<const Body> scaled(double wide, double tall, bool other_topology = false) {
+  static std::map<std::tuple<double, double, bool>, std::shared_ptr<const Body>> made;
+  auto& body = made[{wide, tall, other_topology}];
+  if (body) return body;
   Mannequin form = scene().skirt.form;
   const Eigen::Vector3d by(wide, tall, wide);
   form.positions = by.asDiagonal() * form.positions;
@@ -45,7 +50,7 @@ std::shared_ptr<const Body> scaled(double wide, double tall, bool other_topology
   for (auto& [name, height] : form.landmarks) height *= tall;
   form.height *= tall;
   if (other_topology) form.triangles = Eigen::Matrix3Xi(form.triangles.rowwise().reverse());
-  return std::make_shared<const Body>(make_body(form));
+  return body = std::make_shared<const Body>(make_body(form));
 }
 
 double radius(const Eigen::Matrix3Xd& x, int v) { return std::hypot(x(0, v), x(2, v)); }
@@ -85,7 +90,7 @@ TEST(Grade, ToAWiderBodyKeepsEaseAndNormals) {
 }
 
 TEST(Grade, ToATallerBodyKeepsItsShareOfTheLegs) {
-  const Target target = scene().grade(scaled(1, 1.06));
+  const Target target = scene().grade(scaled(1.1, 1.06));
   double hem = 0, waist = 0;
   for (int v = 0; v < columns; ++v) {
     waist += target.positions(1, v) / columns;
@@ -96,14 +101,14 @@ TEST(Grade, ToATallerBodyKeepsItsShareOfTheLegs) {
 }
 
 TEST(Grade, StaysOutOfTheNewBody) {
-  const auto wider = scaled(1.15, 1.03);
+  const auto wider = scaled(1.1, 1.06);
   const Target target = scene().grade(wider);
   for (Eigen::Index v = 0; v < target.positions.cols(); ++v)
     EXPECT_GT(wider->distance.distance(target.positions.col(v)), 0) << "vertex " << v;
 }
 
 TEST(Grade, ThereAndBackIsTheSource) {
-  const auto wider = scaled(1.08, 1);
+  const auto wider = scaled(1.1, 1);
   const Target there = scene().grade(wider);
   const FindBody find = [&](const BodyName&, const std::string&) { return std::make_shared<const Body>(scene().body); };
   const Target back = find_operation("grade").apply(
