@@ -12,6 +12,8 @@
 namespace toile {
 namespace {
 
+constexpr double inner_proportion = 0.02;  // of what free edges are asked: so that cloth does not creep along its own surface
+
 BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<RelativePlace>& places,
                      const ContactRegion& contact, const Eigen::VectorXd& areas, double release) {
   const Eigen::Index count = input.drape.cols();
@@ -37,13 +39,16 @@ BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, c
     if (wishes.moves[at] && contact.tight[at] && places[at].through_skin && !held.count(static_cast<int>(v)))
       wishes.release(v) = smoothstep(way(v), 0, release);
   }
+  std::vector<bool> on_edge(static_cast<std::size_t>(count), false);
   for (const VertexLoop& edge : boundary_loops(input.garment.triangles))
-    for (const int v : edge) {
-      const auto at = static_cast<std::size_t>(v);
-      if (!wishes.moves[at] || held.count(v)) continue;
-      wishes.proportion.push_back(
-          proportion_term(v, places[at].axis, places[at].axis.dot(input.drape.col(v)), areas(v), weights));
-    }
+    for (const int v : edge) on_edge[static_cast<std::size_t>(v)] = true;
+  for (Eigen::Index v = 0; v < count; ++v) {
+    const auto at = static_cast<std::size_t>(v);
+    if (!wishes.moves[at] || held.count(static_cast<int>(v))) continue;
+    const double share = on_edge[at] ? 1 : inner_proportion;
+    wishes.proportion.push_back(proportion_term(static_cast<int>(v), places[at].axis, places[at].axis.dot(input.drape.col(v)),
+                                                share * areas(v), weights));
+  }
   return {input.body, areas, std::move(wishes)};
 }
 
