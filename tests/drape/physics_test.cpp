@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Dense>
 
@@ -110,6 +111,17 @@ TEST_F(SheetOnBall, TheSameTwiceToTheBit) {
   const Drape once = drape("fem", 1e-4), again = drape("fem", 1e-4);
   EXPECT_EQ(once.steps, again.steps);
   EXPECT_TRUE((once.positions.array() == again.positions.array()).all());
+}
+
+TEST_F(SheetOnBall, TheSameToTheBitWithOneThreadAndWithTwo) {
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Drape one = drape("fem", 1e-3);
+  omp_set_num_threads(2);
+  const Drape two = drape("fem", 1e-3);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one.steps, two.steps);
+  EXPECT_TRUE((one.positions.array() == two.positions.array()).all());
 }
 
 // Near: from a drape at rest, with the pattern one percent smaller, as every step of the adjustment asks. (From far away either

@@ -13,6 +13,7 @@
 namespace toile::fem {
 namespace {
 
+constexpr double steady_move = 1e-3;  // m, longest of a step after which the Hessian is much the same
 constexpr double near_margin = 3e-3;  // m, of movement before the list of near pairs is made anew
 
 // Positions, and what is known there.
@@ -126,6 +127,8 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
   Forces forces = forces_at(model, frozen, state, normal_forces(model, state.touches));
   Equilibrium best{start, forces.residual, 0, false};
   double dt = options.first_dt;
+  const HessianAssembly* factorised_last = nullptr;
+  bool factor_serves = false;  // the last step with it was small and did well: another one costs a solution only
   double share = options.least_force_share;
   for (int step = 1; step <= options.most_steps && best.residual > options.tolerance && !out_of_time(); ++step) {
     HessianAssembly& assembly = pattern.fit(frozen.self);
@@ -135,10 +138,13 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
         assembly.matrix.add_diagonal(static_cast<int>(v), model.mass(v) / (dt * dt));
       return assembly.matrix.factorise();
     };
-    if (!factorised(options.curvature) && !factorised(Curvature::clamped)) {
+    const bool as_before = factor_serves && factorised_last == &assembly;
+    if (!as_before && !factorised(options.curvature) && !factorised(Curvature::clamped)) {
       dt /= 4;
+      factor_serves = false;
       continue;
     }
+    factorised_last = &assembly;
     Eigen::Matrix3Xd move = -assembly.matrix.solve(forces.lagged);
     const double longest = move.colwise().norm().maxCoeff();
     if (longest > options.step_cap) move *= options.step_cap / longest;
@@ -152,6 +158,7 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
     frozen.self = self_contact_at(model, near, state.x);
     const double before = forces.residual;
     forces = forces_at(model, frozen, state, normal);
+    factor_serves = fraction == 1 && longest < steady_move && forces.residual < before / 2;
     share = forces.residual < before ? std::min(share * 1.25, options.most_force_share)
                                      : std::max(share / 2, options.least_force_share);
     if (options.progress) options.progress(step, forces.residual);
