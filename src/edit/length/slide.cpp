@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "edit/body_terms.h"
@@ -10,6 +11,8 @@
 
 namespace toile {
 namespace {
+
+constexpr double clear_of_body = 1e-3;  // m
 
 BodyTerms body_terms(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
                      const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options) {
@@ -70,9 +73,20 @@ HardConstraints all_but_moving(const EditInput& input, const std::vector<Handle>
   return hard;
 }
 
+// The place nearest to `at` that is clear of the body.
+Eigen::Vector3d outside(const Body& body, Eigen::Vector3d at) {
+  for (int round = 0; round < 4; ++round) {
+    const DistanceSample sample = body.distance.sample(at);
+    const double steepness = sample.gradient.squaredNorm();
+    if (sample.distance >= clear_of_body || steepness < 1e-6) break;
+    at += (clear_of_body - sample.distance) / steepness * sample.gradient;
+  }
+  return at;
+}
+
 Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
                  const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options,
-                 double in_plane_pull) {
+                 double in_plane_pull, bool may_slide_on_cloth) {
   BodyTerms terms = body_terms(input, handles, places, contact, triangles, options);
   StyleOptions style;
   style.in_plane_pull = in_plane_pull;
@@ -82,15 +96,12 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   // source's where it now lies.
   std::vector<SourceTriangle> reference = triangles;
   Eigen::Matrix3Xd shape = input.drape;
-  const auto on_cloth = slid_on_cloth(input, handles, options.by);
+  const auto on_cloth = may_slide_on_cloth ? slid_on_cloth(input, handles, options.by) : std::nullopt;
   if (on_cloth && normal_deviation(triangles, input.drape, *on_cloth).flipped.empty()) {
     slid.positions = slid.initial = shape = *on_cloth;
     reference = source_triangles(shape, input.garment.triangles);
-    if (options.by > 0) {  // cloth that was added may lie in the body
-      for (const Handle& handle : handles)
-        for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(shape.col(v)));
-      slid = solve_style(shape, reference, hard, terms.all(), style);
-    }
+    for (const Handle& handle : handles)  // cloth that was added may lie in the body
+      for (const int v : handle.loop) slid.positions.col(v) = outside(input.body, slid.positions.col(v));
   } else {
     for (const Handle& handle : handles)
       for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);
@@ -126,13 +137,14 @@ Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handle
                        const ContactRegion& contact, const SlideOptions& options) {
   const auto triangles = source_triangles(input.drape, input.garment.triangles);
   Slide best;
-  for (const double in_plane_pull : {0.02, 0.1, 0.3}) {
-    Slide slide = slide_once(input, handles, places, contact, triangles, options, in_plane_pull);
-    const bool better = slide.deviation.flipped.empty();
-    const bool enough = better && (slide.settled || in_plane_pull >= 0.1);
-    if (better || best.positions.size() == 0) best = std::move(slide);
-    if (enough) break;
-  }
+  for (const bool on_cloth : {true, false})
+    for (const double in_plane_pull : {0.02, 0.1, 0.3}) {
+      Slide slide = slide_once(input, handles, places, contact, triangles, options, in_plane_pull, on_cloth);
+      const bool better = slide.deviation.flipped.empty();
+      const bool enough = better && (slide.settled || in_plane_pull >= 0.1);
+      if (better || best.positions.size() == 0) best = std::move(slide);
+      if (enough) return best;
+    }
   return best;
 }
 
