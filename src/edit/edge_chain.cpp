@@ -6,6 +6,7 @@
 
 #include "garment/report.h"
 #include "garment/units.h"
+#include "geometry/topology.h"
 
 namespace toile {
 namespace {
@@ -52,6 +53,33 @@ std::vector<int> vertices_along(const Pattern& pattern, const GarmentMesh& garme
   return vertices;
 }
 
+namespace {
+
+constexpr double longest_slit = 0.8;  // m, up one side and down the other
+
+// Closes chains that a slit opens: from one end along the free edge of the garment to the other.
+void bridge_slits(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, std::map<int, std::set<int>>& next) {
+  for (const std::vector<int>& loop : boundary_loops(garment.triangles)) {
+    const std::size_t n = loop.size();
+    const auto at = [&](std::size_t i) { return loop[i % n]; };
+    const auto chained = [&](std::size_t i) { return next.count(at(i)) > 0; };
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!chained(i) || next[at(i)].size() != 1 || chained(i + 1)) continue;
+      double length = 0;
+      std::size_t last = i + 1;
+      for (length += (positions.col(at(last)) - positions.col(at(i))).norm(); !chained(last); ++last)
+        length += (positions.col(at(last + 1)) - positions.col(at(last))).norm();
+      if (last == i + n || next[at(last)].size() != 1 || length > longest_slit) continue;
+      for (std::size_t k = i; k < last; ++k) {
+        next[at(k)].insert(at(k + 1));
+        next[at(k + 1)].insert(at(k));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<VertexLoop> closed_chains(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions,
                                       const std::vector<PanelEdge>& edges, const std::string& place, const std::string& name) {
   std::map<int, std::set<int>> next;
@@ -65,6 +93,7 @@ std::vector<VertexLoop> closed_chains(const Pattern& pattern, const GarmentMesh&
     }
     for (const int v : along) owner.emplace(v, edge_in_words(pattern, garment, edge));
   }
+  bridge_slits(garment, positions, next);
   const auto at = [&](int v) { return "at the end of " + owner[v] + " (height " + in_mm(positions(1, v), 0) + ")"; };
   std::vector<int> ends;
   for (const auto& [vertex, others] : next) {

@@ -22,8 +22,9 @@ std::vector<PanelEdge> edges_named(const Pattern& pattern, const GarmentMesh& ga
 // Garment vertices along an edge, both ends included, in outline order.
 std::vector<int> vertices_along(const Pattern& pattern, const GarmentMesh& garment, const PanelEdge& edge);
 
-// Closed loops, each starting at its smallest vertex, sorted by it. Throws BadInput("edit.open-chain") naming where the edges
-// leave a gap or branch; `place` and `name` are for the message.
+// Closed loops, each starting at its smallest vertex, sorted by it. A slit between two ends (.8 m of free edge at most) belongs
+// to the loop. Throws BadInput("edit.open-chain") naming where the edges leave a gap or branch; `place` and `name` are for the
+// message.
 std::vector<VertexLoop> closed_chains(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions,
                                       const std::vector<PanelEdge>& edges, const std::string& place, const std::string& name);
 
