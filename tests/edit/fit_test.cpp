@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "edit/operation.h"
+#include "edit/worn_skirt.h"
 #include "style/normal_deviation.h"
 #include "style/synthetic_skirt.h"
 
@@ -18,21 +19,10 @@ using testing::SyntheticSkirt;
 constexpr double degree = std::numbers::pi / 180;
 constexpr int columns = 48, rows = 30;
 
-struct Scene {
-  SyntheticSkirt skirt;
-  Body body;
-  explicit Scene(const SkirtShape& shape = {}) : skirt(synthetic_skirt(shape)), body(make_body(skirt.form)) {}
-  Target fit(const EditArguments& arguments) const {
-    return find_operation("fit").apply({skirt.pattern, skirt.garment, skirt.drape, body}, arguments);
-  }
-  Finding refusal(const EditArguments& arguments) const {
-    try {
-      fit(arguments);
-    } catch (const BadInput& bad) {
-      return bad.finding();
-    }
-    return {};
-  }
+struct Scene : testing::WornSkirt {
+  using WornSkirt::WornSkirt;
+  Target fit(const EditArguments& arguments) const { return apply("fit", arguments); }
+  Finding refusal(const EditArguments& arguments) const { return WornSkirt::refusal("fit", arguments); }
 };
 
 const Scene& folded() {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "edit/operation.h"
+#include "edit/worn_skirt.h"
 #include "geometry/surface_distance.h"
 #include "style/normal_deviation.h"
 #include "style/synthetic_skirt.h"
@@ -17,22 +18,13 @@ using testing::SyntheticSkirt;
 
 constexpr double degree = std::numbers::pi / 180;
 
-struct Scene {
-  SyntheticSkirt skirt;
-  Body body;
-  explicit Scene(const SkirtShape& shape = {}) : skirt(synthetic_skirt(shape)), body(make_body(skirt.form)) {}
+struct Scene : testing::WornSkirt {
+  using WornSkirt::WornSkirt;
   Target length(const EditArguments& arguments, const Eigen::Matrix3Xd& drape) const {
     return find_operation("length").apply({skirt.pattern, skirt.garment, drape, body}, arguments);
   }
-  Target length(const EditArguments& arguments) const { return length(arguments, skirt.drape); }
-  Finding finding(const EditArguments& arguments) const {
-    try {
-      length(arguments);
-    } catch (const BadInput& bad) {
-      return bad.finding();
-    }
-    return {};
-  }
+  Target length(const EditArguments& arguments) const { return apply("length", arguments); }
+  Finding finding(const EditArguments& arguments) const { return refusal("length", arguments); }
 };
 
 const Scene& full() {

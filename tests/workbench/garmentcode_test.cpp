@@ -66,8 +66,8 @@ TEST_P(GarmentCodeGarment, HemMovedOnTheScannedBody) {
   fs::remove_all(here, ignored);
 }
 
-// The aim is 0.5 % everywhere. The six-panel skirt is 2.4 m round the hem; 8 cm more of it hang a little nearer to the legs than
-// the folds carried straight on, which no pattern can change: there the bound is what is reached.
+// The aim is 0.5 % everywhere. The six-panel skirt is 2.4 m round the hem; 8 cm more of it hang a little nearer to the legs
+// than the folds carried straight on: there the bound is what is reached.
 INSTANTIATE_TEST_SUITE_P(Cases, GarmentCodeGarment,
                          testing::Values(Case{"skirt_2panel", "-8 cm", .5}, Case{"skirt_2panel", "8 cm", .5},
                                          Case{"skirt_6panel", "-8 cm", .5}, Case{"skirt_6panel", "8 cm", .75},
