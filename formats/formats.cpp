@@ -13,7 +13,7 @@ struct PatternFormat {
   const char* name;
   const char* extension;
   bool (*looks_like)(std::string_view bytes);  // of a file with another extension
-  Loaded<Pattern> (*read)(const std::filesystem::path& file, const PatternReadOptions& options);
+  Loaded<PatternFile> (*read)(const std::filesystem::path& file, const PatternReadOptions& options);
 };
 
 bool looks_like_json(std::string_view bytes) {
@@ -21,13 +21,23 @@ bool looks_like_json(std::string_view bytes) {
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
+Loaded<PatternFile> in_file(std::string format, Loaded<Pattern> loaded) {
+  if (!loaded.value) return {std::nullopt, std::move(loaded.report)};
+  PatternFile file;
+  file.format = std::move(format);
+  file.pattern = std::move(*loaded.value);
+  return {std::move(file), std::move(loaded.report)};
+}
+
 const PatternFormat formats[] = {
     {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf,
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
-       return read_dxf_aama(file, options.unit_in_metres);
+       return in_file("DXF", read_dxf_aama(file, options.unit_in_metres));
      }},
     {"GarmentCode JSON", ".json", looks_like_json,
-     [](const std::filesystem::path& file, const PatternReadOptions&) { return read_garmentcode(file); }},
+     [](const std::filesystem::path& file, const PatternReadOptions&) {
+       return in_file("GarmentCode", read_garmentcode(file));
+     }},
 };
 
 const PatternFormat* format_of(const std::filesystem::path& file, std::string_view bytes) {
@@ -48,7 +58,7 @@ std::optional<std::filesystem::path> seams_beside(const std::filesystem::path& p
   return sidecar;
 }
 
-Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
+Loaded<PatternFile> read_pattern_file(const std::filesystem::path& file, const PatternReadOptions& options) {
   const Loaded<std::string> bytes = read_whole_file(file);
   if (!bytes.value) return {std::nullopt, bytes.report};
   const PatternFormat* format = format_of(file, *bytes.value);
@@ -60,13 +70,19 @@ Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternRea
     report.error("format.unknown", file.filename().string(), "this is no pattern file Toile can read", "it reads " + known);
     return {std::nullopt, report};
   }
-  Loaded<Pattern> loaded = format->read(file, options);
+  Loaded<PatternFile> loaded = format->read(file, options);
 
   const auto sidecar = options.seams ? options.seams : seams_beside(file);
   if (!loaded.value || !sidecar) return loaded;
-  loaded.report.append(apply_seams(*loaded.value, *sidecar));
+  loaded.report.append(apply_seams(loaded.value->pattern, *sidecar));
   if (!loaded.report.ok()) loaded.value.reset();
   return loaded;
+}
+
+Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
+  Loaded<PatternFile> loaded = read_pattern_file(file, options);
+  if (!loaded.value) return {std::nullopt, std::move(loaded.report)};
+  return {std::move(loaded.value->pattern), std::move(loaded.report)};
 }
 
 }  // namespace toile

@@ -12,6 +12,7 @@
 #include "garment/mannequin.h"
 #include "garment/mesh.h"
 #include "garment/pattern.h"
+#include "garment/pattern_file.h"
 #include "garment/report.h"
 
 namespace toile {
@@ -19,9 +20,13 @@ namespace toile {
 struct PatternReadOptions {
   std::optional<double> unit_in_metres;        // overrides what the file says: 1e-3 for mm
   std::optional<std::filesystem::path> seams;  // default: NAME.seams.toml beside the pattern, when it exists
+  std::string size;                            // of a graded file; empty: the sample size
 };
 
-// By extension and content: DXF (AAMA), GarmentCode JSON.
+// By extension and content: DXF (AAMA), GarmentCode JSON. Everything of the file is in the value or in a finding.
+Loaded<PatternFile> read_pattern_file(const std::filesystem::path& file, const PatternReadOptions& options = {});
+
+// The pattern alone.
 Loaded<Pattern> read_pattern(const std::filesystem::path& file, const PatternReadOptions& options = {});
 
 // NAME.seams.toml beside the pattern NAME.dxf, when there is one.
