@@ -1,0 +1,7 @@
+#include "cli/verbs.h"
+
+namespace toile {
+
+std::vector<Verb> add_verbs(CLI::App& app) { return {add_run(app), add_drape(app)}; }
+
+}  // namespace toile
