@@ -71,7 +71,7 @@ std::vector<ReportPicture> embedded(const std::vector<Picture>& pictures) {
 
 std::vector<ReportSeam> seams(const Job& job) {
   std::vector<ReportSeam> rows;
-  const Pattern& before = job.worn.pattern;
+  const Pattern& before = edited_pattern(job);
   const Pattern& after = job.redrawn.pattern;
   for (const Seam& seam : before.seams) {
     ReportSeam row;
@@ -89,7 +89,7 @@ std::vector<ReportSeam> seams(const Job& job) {
 std::vector<ReportEdge> edges(const Job& job) {
   std::vector<ReportEdge> rows;
   for (std::size_t p = 0; p < job.redrawn.pattern.pieces.size(); ++p) {
-    const Piece& before = job.worn.pattern.pieces[p];
+    const Piece& before = edited_pattern(job).pieces[p];
     const Piece& after = job.redrawn.pattern.pieces[p];
     for (std::size_t e = 0; e < after.outline.size(); ++e)
       rows.push_back({after.name, after.outline[e].id, length(before.outline[e]), length(after.outline[e]),

@@ -7,6 +7,27 @@
 #include "formats/sha256/sha256.h"
 
 namespace toile {
+namespace {
+
+std::filesystem::path fabric_file(const FabricName& fabric) {
+  return fabric.file.empty() ? template_file("fabrics", fabric.name + ".toml") : fabric.file;
+}
+
+// Edits that mean nothing are refused elsewhere.
+std::vector<std::pair<std::string, std::filesystem::path>> files_of_edits(const std::filesystem::path& folder,
+                                                                          const std::vector<Edit>& edits) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;
+  for (const Edit& edit : edits)
+    for (const EditOperation& operation : operations())
+      for (const Parameter& parameter : operation.parameters)
+        if (operation.name == edit.operation && parameter.unit == "file")
+          if (const auto given = edit.arguments.find(parameter.name);
+              given != edit.arguments.end() && given->second != parameter.by_default)
+            files.emplace_back(parameter.name + " of edit '" + edit.operation + "'", folder / given->second);
+  return files;
+}
+
+}  // namespace
 
 InputFiles input_files(const std::filesystem::path& file, const Recipe& recipe) {
   InputFiles files;
@@ -20,7 +41,9 @@ InputFiles input_files(const std::filesystem::path& file, const Recipe& recipe) 
     files.body = recipe.body.file;
     files.skeleton = recipe.body.skeleton ? recipe.body.skeleton : skeleton_beside(recipe.body.file);
   }
-  files.fabric = recipe.fabric.file.empty() ? template_file("fabrics", recipe.fabric.name + ".toml") : recipe.fabric.file;
+  files.fabric = fabric_file(recipe.fabric);
+  if (recipe.adjust.fabric) files.other_fabric = fabric_file(*recipe.adjust.fabric);
+  files.of_edits = files_of_edits(file.parent_path(), recipe.edits);
   return files;
 }
 
@@ -35,6 +58,8 @@ std::vector<InputHash> hashes(const InputFiles& files) {
   add(files.is_chart ? "size chart" : "body", files.body);
   if (files.skeleton) add("skeleton", *files.skeleton);
   add("fabric", files.fabric);
+  if (files.other_fabric) add("fabric of the new pattern", *files.other_fabric);
+  for (const auto& [role, file] : files.of_edits) add(role.c_str(), file);
   return inputs;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workbench/recipe.h"
@@ -19,6 +20,8 @@ struct InputFiles {
   bool is_chart = false;
   std::optional<std::filesystem::path> skeleton;
   std::filesystem::path fabric;
+  std::optional<std::filesystem::path> other_fabric;                    // that the new pattern is cut from
+  std::vector<std::pair<std::string, std::filesystem::path>> of_edits;  // role and file
 };
 
 // What `recipe`, read from `file`, names or finds beside what it names. Throws BadInput("template.missing").

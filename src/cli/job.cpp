@@ -13,6 +13,7 @@
 #include "edit/arguments.h"
 #include "formats/formats.h"
 #include "garment/units.h"
+#include "workbench/replica.h"
 
 namespace toile {
 namespace {
@@ -164,6 +165,8 @@ void judge(Job& job) {
 
 }  // namespace
 
+const Pattern& edited_pattern(const Job& job) { return edited_pattern(job.worn, job.target); }
+
 DrapeControl watched(Progress& progress) {
   DrapeControl control;
   control.progress = drape_bar(progress);
@@ -184,6 +187,7 @@ void load(Job& job, Progress& progress) {
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
                     "Write a seams file beside it: " + recipe.pattern.file.stem().string() + ".seams.toml"});
   job.scene.fabric = take(read_fabric(files.fabric), job);
+  if (files.other_fabric) job.new_fabric = take(read_fabric(*files.other_fabric), job);
   job.scene.simulator = find_simulator(recipe.drape.simulator);
   job.scene.hem = recipe.cut.allowances.hem;
   job.scene.body = ready(body_of(files, job), recipe.body.file);
@@ -209,6 +213,20 @@ void work(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("edit");
   job.target = edit(job.worn, job.scene, recipe.edits);
+  if (recipe.replica.height) {
+    const Body& body = job.target.body ? *job.target.body : job.scene.body;
+    job.target = replica(job.target, edited_pattern(job), body, *recipe.replica.height);
+    AllowanceRules& allowances = job.recipe.cut.allowances;
+    for (double* allowance : {&allowances.allowance, &allowances.hem})
+      *allowance = replica_allowance(*allowance, *recipe.replica.height / body.form.height);
+    job.scene.hem = allowances.hem;
+  }
+  if (job.new_fabric) {
+    job.target.report.note(
+        "adjust.other-fabric", "adjust",
+        "the target is the drape in " + job.scene.fabric.name + "; the new pattern is cut from " + job.new_fabric->name);
+    job.scene.fabric = *job.new_fabric;
+  }
   if (job.target.body) {
     job.source_body = std::make_shared<const Body>(std::move(job.scene.body));
     job.scene.body = *job.target.body;
@@ -223,12 +241,12 @@ void work(Job& job, Progress& progress) {
   options.progress = [&](const AdjustStep& step) {
     progress.end(in_mm(step.hausdorff) + " (" + percent_of_height(step.hausdorff, job) + "), mean " + in_mm(step.mean, 2));
   };
-  job.adjustment = adjust_pattern(job.worn.pattern, job.target, job.scene, options, watched(progress));
+  job.adjustment = adjust_pattern(edited_pattern(job), job.target, job.scene, options, watched(progress));
   job.flattened = job.adjustment.steps.front();
   progress.end(in_words(job.adjustment.stop) + ", best is step " + std::to_string(job.adjustment.best));
 
   progress.begin("redraw");
-  job.redrawn = redraw(job.worn.pattern, job.worn.garment, job.adjustment.rest);
+  job.redrawn = redraw(edited_pattern(job), job.target.garment, job.adjustment.rest);
   add(job, job.redrawn.report);
   job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
   progress.end("outlines within " + in_mm(job.redrawn.max_deviation, 2) + ", seams within " +
@@ -240,8 +258,8 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
   job.reread = in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read);
   job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, watched(progress));
-  job.girths = girth_table(with_rest(job.worn.garment, job.verified.rest), job.verified.drape.positions, job.scene.body.form);
-  job.tailoring = tailoring_difference(job.worn.garment, job.target.positions, job.verified.drape.positions);
+  job.girths = girth_table(with_rest(job.target.garment, job.verified.rest), job.verified.drape.positions, job.scene.body.form);
+  job.tailoring = tailoring_difference(job.target.garment, job.target.positions, job.verified.drape.positions);
   add(job, job.verified.report);
   judge(job);
   progress.end(in_mm(job.verified.step.hausdorff) + " (" + percent_of_height(job.verified.step.hausdorff, job) + ")");

@@ -27,6 +27,7 @@ struct Job {
   std::vector<InputHash> inputs;
   Pattern pattern;  // as read
   Scene scene;
+  std::optional<Fabric> new_fabric;  // that the new pattern is cut from, when it is another
   StuckDressing stuck;
   Worn worn;
   std::shared_ptr<const Body> source_body;  // of the source drape, when the target is worn on another
@@ -51,6 +52,9 @@ void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matr
 void work(Job& job, Progress& progress);
 // Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);
+
+// The pattern that is adjusted: the one that was read, or what an edit made of it.
+const Pattern& edited_pattern(const Job& job);
 
 // Steps of dressing and draping shown on `progress`.
 DrapeControl watched(Progress& progress);

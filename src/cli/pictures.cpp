@@ -47,7 +47,7 @@ std::vector<Picture> write_maps(const Job& job, const Showing& showing, const Ei
 }  // namespace
 
 ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
-  const GarmentMesh& garment = job.worn.garment;
+  const GarmentMesh& garment = job.target.garment;
   const Eigen::Matrix3Xd& target = job.target.positions;
   const auto to_target = [&](const Eigen::Matrix3Xd& positions) -> Eigen::VectorXd {
     return surface_distance({positions, garment.triangles}, {target, garment.triangles}).a_vertices;
@@ -55,15 +55,17 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   const Eigen::VectorXd adjusted = to_target(job.verified.drape.positions);
   const Eigen::VectorXd flattened = to_target(job.adjustment.flattened_drape.positions);
   // One frame for all, so that they can be laid over each other.
-  const Showing showing{job.scene.body.form, garment, job.source_body ? target : job.worn.drape.positions};
+  const Showing showing{job.scene.body.form, garment,
+                        job.source_body || job.target.pattern ? target : job.worn.drape.positions};
 
   ShownPictures pictures;
   const auto write = [&](const std::string& file, const std::string& caption, const Image& image) {
     pictures.views.push_back(written(out, file, caption, image));
   };
-  write("source.png", "The pattern as it was read, draped.",
-        drape_picture({job.source_body ? job.source_body->form : job.scene.body.form, garment, job.worn.drape.positions},
-                      job.worn.drape.positions, "source"));
+  write(
+      "source.png", "The pattern as it was read, draped.",
+      drape_picture({job.source_body ? job.source_body->form : job.scene.body.form, job.worn.garment, job.worn.drape.positions},
+                    job.worn.drape.positions, "source"));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
   write("redrape.png", "The adjusted pattern draped anew, coloured by its distance to the target.",
         distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"},
@@ -74,7 +76,7 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   write("panels.png", "Outlines: original green, plain flattening red, adjusted blue.",
         panels_overlay(panel_outlines(garment, job.adjustment.flattened, job.verified.rest), job.recipe.name));
   const GarmentMesh redrawn = with_rest(garment, job.verified.rest);
-  pictures.maps = write_maps(job, {job.scene.body.form, redrawn, job.worn.drape.positions}, job.verified.drape.positions,
+  pictures.maps = write_maps(job, {job.scene.body.form, redrawn, target}, job.verified.drape.positions,
                              "re-drape of the adjusted pattern: ", out);
   return pictures;
 }

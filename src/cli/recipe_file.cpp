@@ -119,6 +119,12 @@ std::string argument_text(const toml::node& node, const Section& section, const 
   section.fail(&node, "recipe.not-text", "'" + key + "' is neither text, a number nor a list of texts", "Write it in quotes");
 }
 
+// A name of templates/fabrics, or a file.
+FabricName fabric_named(const std::string& text, const std::filesystem::path& folder) {
+  if (std::filesystem::path(text).has_extension()) return {{}, folder / text};
+  return {text, {}};
+}
+
 Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
   const std::string name = file.string();
@@ -162,6 +168,10 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
     recipe.fabric.name = fabric.needed_text("name", "jersey");
   fabric.refuse_unknown();
 
+  Section replica = section("replica", false);
+  if (replica.find("height")) replica.length("height", recipe.replica.height.emplace(), 10e-3);
+  replica.refuse_unknown();
+
   Section drape = section("drape", false);
   recipe.drape.simulator = drape.text("simulator").value_or(recipe.drape.simulator);
   // "external:NAME" is one of templates/simulators; a file is meant as the recipe's other files are.
@@ -190,6 +200,7 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   Section adjusting = section("adjust", false);
   adjusting.whole_number("steps", recipe.adjust.steps, 1, 50);
   adjusting.number("tolerance", recipe.adjust.tolerance, 1e-8, 1e-1);
+  if (const auto other = adjusting.text("fabric")) recipe.adjust.fabric = fabric_named(*other, folder);
   adjusting.refuse_unknown();
 
   Section cut = section("cut", false);

@@ -37,8 +37,8 @@ void write_results(const Job& job, const OutputFolder& out, const std::string& s
   sheet.notes.push_back(verdict(job));
   sheet.notes.push_back(made_from(job));
   write_svg(out.path(stem + ".svg"), sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
-  const GarmentMesh& garment = job.worn.garment;
-  write_obj(out.path("source.obj"), garment, job.worn.drape.positions);
+  const GarmentMesh& garment = job.target.garment;
+  write_obj(out.path("source.obj"), job.worn.garment, job.worn.drape.positions);
   write_obj(out.path("target.obj"), garment, job.target.positions);
   write_obj(out.path("flattened.obj"), with_rest(garment, job.adjustment.flattened), job.adjustment.flattened_drape.positions);
   write_obj(out.path("redrape.obj"), with_rest(garment, job.verified.rest), job.verified.drape.positions);

@@ -17,6 +17,11 @@ struct Edit {
   std::string place;  // "recipe.toml:21", for errors
 };
 
+struct FabricName {
+  std::string name;  // templates/fabrics/NAME.toml, or
+  std::filesystem::path file;
+};
+
 struct Recipe {
   std::string name;
   struct {
@@ -29,10 +34,7 @@ struct Recipe {
     std::filesystem::path file;  // an OBJ body
     std::optional<std::filesystem::path> skeleton;
   } body;
-  struct {
-    std::string name;  // templates/fabrics/NAME.toml, or
-    std::filesystem::path file;
-  } fabric;
+  FabricName fabric;
   struct {
     std::string simulator = "fem";
     double edge_length = 12e-3;  // m
@@ -40,6 +42,10 @@ struct Recipe {
   } drape;
   std::vector<Edit> edits;
   struct {
+    std::optional<double> height;  // m, of the body that the edited garment is scaled to
+  } replica;
+  struct {
+    std::optional<FabricName> fabric;  // that the new pattern is cut from, when it is another
     int steps = 5;
     double tolerance = 1e-3;  // of the drapes inside the loop
   } adjust;

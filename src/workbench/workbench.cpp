@@ -169,19 +169,26 @@ Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, d
   return worn;
 }
 
+const Pattern& edited_pattern(const Worn& worn, const Target& target) {
+  return target.pattern ? *target.pattern : worn.pattern;
+}
+
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
   Target target;
   target.garment = worn.garment;
   target.source = target.positions = worn.drape.positions;
   for (const Edit& step : edits) {
     try {
-      const Eigen::Matrix3Xd before = target.positions;
       const Body& body = target.body ? *target.body : scene.body;
       Target next =
-          find_operation(step.operation).apply({worn.pattern, worn.garment, before, body, scene.find_body}, step.arguments);
+          find_operation(step.operation)
+              .apply({edited_pattern(worn, target), target.garment, target.positions, body, scene.find_body}, step.arguments);
       next.report.findings.insert(next.report.findings.begin(), target.report.findings.begin(), target.report.findings.end());
-      next.source = worn.drape.positions;
       if (!next.body) next.body = target.body;
+      if (!next.pattern) {
+        next.pattern = target.pattern;
+        next.source = target.source;
+      }
       target = std::move(next);
     } catch (const BadInput& bad) {
       Finding finding = bad.finding();

@@ -63,6 +63,9 @@ Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, d
 // follows. Throws BadInput with the recipe's place.
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits);
 
+// The pattern of target.garment.
+const Pattern& edited_pattern(const Worn& worn, const Target& target);
+
 // Phi with everything but the rest shape and the start fixed: hems of `pattern` turned up, then the scene's simulator. Keeps
 // references to pattern and scene.
 Simulate phi(const Pattern& pattern, const Scene& scene, const DrapeControl& control = {});
