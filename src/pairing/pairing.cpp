@@ -1,0 +1,92 @@
+#include "pairing/pairing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pairing/assignment.h"
+#include "pairing/evidence.h"
+#include "pairing/names.h"
+#include "pairing/symmetry.h"
+
+namespace toile {
+namespace {
+
+std::size_t u(int i) { return static_cast<std::size_t>(i); }
+
+constexpr int rounds = 24;
+
+struct Attempt {
+  const GarmentTemplate* garment = nullptr;
+  std::vector<PieceName> names;
+  PanelEdges all;
+  Problem problem;
+  Assignment found;
+};
+
+std::vector<PieceName> names_of(const Pattern& pattern, const GarmentTemplate& garment) {
+  std::vector<PieceName> names;
+  for (const Piece& piece : pattern.pieces) names.push_back(read_name(piece.name, garment));
+  return names;
+}
+
+void pose(Attempt& attempt) {
+  const std::size_t n = attempt.all.edges.size();
+  attempt.problem.all = &attempt.all;
+  attempt.problem.openings = attempt.garment->openings;
+  attempt.problem.pair.assign(n, std::vector<double>(n, impossible));
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b)
+      attempt.problem.pair[a][b] = attempt.problem.pair[b][a] =
+          evidence(attempt.all, static_cast<int>(a), static_cast<int>(b), attempt.names, *attempt.garment).total();
+  attempt.problem.image = mirror_images(attempt.all, attempt.names);
+}
+
+Attempt attempt_as(const Pattern& pattern, const GarmentTemplate& garment) {
+  Attempt out;
+  out.garment = &garment;
+  out.names = names_of(pattern, garment);
+  std::vector<bool> sewn;
+  for (const PieceName& name : out.names) sewn.push_back(name.role < 0 || !garment.roles[u(name.role)].extra);
+  out.all = panel_edges(pattern, sewn);
+  pose(out);
+  out.found = assign(out.problem, rounds);
+  return out;
+}
+
+}  // namespace
+
+Proposal propose_seams(const Pattern& pattern, const std::vector<GarmentTemplate>& templates) {
+  GarmentTemplate none;
+  none.openings = {2, 3, 4};
+  Attempt best = attempt_as(pattern, none);
+  const double plain = best.found.score;
+  best.problem.all = &best.all;
+  for (const GarmentTemplate& garment : templates) {
+    Attempt next = attempt_as(pattern, garment);
+    if (next.found.score > best.found.score + 1e-9) best = std::move(next);
+    best.problem.all = &best.all;
+  }
+  Proposal out;
+  out.garment = best.garment->name;
+  out.fit = best.found.score - plain;
+  out.pattern = pattern;
+  out.pattern.seams.clear();
+  const std::vector<double> margin = margins(best.problem, best.found);
+  for (int a = 0; a < static_cast<int>(best.all.edges.size()); ++a) {
+    const int b = best.found.mates[u(a)];
+    if (b <= a) continue;
+    ProposedSeam seam;
+    seam.seam.a = span_of(pattern, best.all, a);
+    seam.seam.b = reversed(span_of(pattern, best.all, b));
+    const Evidence seen = evidence(best.all, a, b, best.names, *best.garment);
+    seam.reasons = reasons(best.all, a, b, seen);
+    seam.length_a = best.all.edges[u(a)].length;
+    seam.length_b = best.all.edges[u(b)].length;
+    seam.confidence = 1 - .5 * std::exp(-margin[u(a)] / 2);
+    out.seams.push_back(seam);
+    out.pattern.seams.push_back(seam.seam);
+  }
+  return out;
+}
+
+}  // namespace toile
