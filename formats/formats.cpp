@@ -3,6 +3,7 @@
 #include "formats/dxf/tags.h"
 #include "formats/dxf_aama/dxf_aama.h"
 #include "formats/garmentcode/garmentcode.h"
+#include "formats/obj/garment.h"
 #include "formats/seams/seams.h"
 
 namespace toile {
@@ -37,6 +38,10 @@ const PatternFormat formats[] = {
     {"GarmentCode JSON", ".json", looks_like_json,
      [](const std::filesystem::path& file, const PatternReadOptions&) {
        return in_file("GarmentCode", read_garmentcode(file));
+     }},
+    {"OBJ with the pattern as texture coordinates", ".obj", [](std::string_view) { return false; },
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_obj_garment(file, options.unit_in_metres);
      }},
 };
 

@@ -4,104 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <sstream>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "formats/obj/line_check.h"
+
 namespace toile {
 namespace {
-
-std::vector<std::string_view> fields(std::string_view line) {
-  std::vector<std::string_view> found;
-  constexpr std::string_view blank = " \t\r\v\f";
-  for (std::size_t at = line.find_first_not_of(blank); at != std::string_view::npos; at = line.find_first_not_of(blank, at)) {
-    const std::size_t end = std::min(line.find_first_of(blank, at), line.size());
-    found.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return found;
-}
-
-template <class Number>
-std::optional<Number> read_number(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  Number value{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-// tinyobjloader takes "nan" for 0 and says at the end of the file, if at all, that an index was wrong; so every number is
-// looked at before it is asked.
-class LineCheck {
- public:
-  LineCheck(const std::string& place, Report& report) : place_(place), report_(report) {}
-
-  void check(const std::string& text) {
-    std::string_view rest = text;
-    while (!rest.empty() && report_.ok()) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      ++line_;
-      const std::vector<std::string_view> words = fields(rest.substr(0, end));
-      if (!words.empty() && words[0] == "v") vertex(words);
-      if (!words.empty() && words[0] == "f") face(words);
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    if (!report_.ok()) return;
-    if (vertices_ == 0 || faces_ == 0)
-      report_.error("obj.no-faces", place_, vertices_ == 0 ? "the file has no vertices" : "the file has no faces",
-                    "export the body as OBJ with its faces; is this an OBJ file at all?");
-    else if (greatest_ > vertices_)
-      report_.error("obj.no-such-vertex", place_ + ":" + std::to_string(greatest_line_),
-                    "the face names vertex " + std::to_string(greatest_) + ", there are " + std::to_string(vertices_),
-                    "the file may be cut off; export it again");
-  }
-
- private:
-  void say(const std::string& code, const std::string& text, const std::string& remedy) {
-    report_.error(code, place_ + ":" + std::to_string(line_), text, remedy);
-  }
-
-  void vertex(const std::vector<std::string_view>& words) {
-    ++vertices_;
-    if (words.size() < 4)
-      return say("obj.not-a-number", "the vertex has fewer than three numbers", "the file may be cut off; export it again");
-    for (std::size_t i = 1; i < 4; ++i) {
-      const auto value = read_number<double>(words[i]);
-      if (!value) return say("obj.not-a-number", "'" + std::string(words[i]) + "' is not a number", "export the body again");
-      if (!std::isfinite(*value))
-        return say("body.not-finite", "the vertex is not finite: '" + std::string(words[i]) + "'",
-                   "export the body again; a modifier or a simulation may have blown it up");
-    }
-  }
-
-  void face(const std::vector<std::string_view>& words) {
-    ++faces_;
-    if (words.size() < 4)
-      return say("obj.bad-face", "the face has fewer than three corners", "the file may be cut off; export it again");
-    for (std::size_t i = 1; i < words.size(); ++i) {
-      const auto index = read_number<long>(words[i].substr(0, words[i].find('/')));
-      if (!index || *index == 0)
-        return say("obj.bad-face", "'" + std::string(words[i]) + "' names no vertex", "export the body again");
-      if (*index < -vertices_)
-        return say("obj.no-such-vertex", "the face names vertex " + std::to_string(*index) + " before there are so many",
-                   "export the body again");
-      if (*index > greatest_) {
-        greatest_ = *index;
-        greatest_line_ = line_;
-      }
-    }
-  }
-
-  std::string place_;
-  Report& report_;
-  long line_ = 0, vertices_ = 0, faces_ = 0, greatest_ = 0, greatest_line_ = 0;
-};
 
 std::size_t open_edges(const Eigen::Matrix3Xi& triangles) {
   std::vector<std::pair<int, int>> sides;
@@ -154,7 +65,7 @@ void drop_unused(ObjMesh& mesh) {
 
 Loaded<ObjMesh> read_obj_mesh(const std::string& text, const std::string& place) {
   Loaded<ObjMesh> loaded;
-  LineCheck(place, loaded.report).check(text);
+  check_obj_lines(text, place, false, loaded.report);
   if (!loaded.report.ok()) return loaded;
 
   tinyobj::attrib_t attributes;
