@@ -209,7 +209,7 @@ void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matr
   progress.end(words);
 }
 
-void work(Job& job, Progress& progress) {
+void make_target(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
   progress.begin("edit");
   job.target = edit(job.worn, job.scene, recipe.edits);
@@ -233,7 +233,10 @@ void work(Job& job, Progress& progress) {
   }
   add(job, job.target.report);
   progress.end(std::to_string(recipe.edits.size()) + " edits");
+}
 
+void adjust_and_redraw(Job& job, Progress& progress) {
+  const Recipe& recipe = job.recipe;
   progress.begin("adjust");
   AdjustOptions options;
   options.most_steps = recipe.adjust.steps;
@@ -248,7 +251,15 @@ void work(Job& job, Progress& progress) {
   progress.begin("redraw");
   job.redrawn = redraw(edited_pattern(job), job.target.garment, job.adjustment.rest);
   add(job, job.redrawn.report);
-  job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
+  try {
+    job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
+  } catch (const BadInput& bad) {  // the pattern as it was read could be laid out
+    Finding finding = bad.finding();
+    finding.text = "the shape that the edit asks for cannot be cut: " + finding.text;
+    finding.remedy = "Make the change smaller, or spread it over a larger part; `toile edit` shows the target";
+    finding.fault = Fault::checks_failed;
+    throw BadInput(finding);
+  }
   progress.end("outlines within " + in_mm(job.redrawn.max_deviation, 2) + ", seams within " +
                in_mm(job.redrawn.seam_mismatch, 2));
 }

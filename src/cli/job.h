@@ -48,8 +48,10 @@ struct Job {
 void load(Job& job, Progress& progress);
 // The source drape: dressed and settled, or settled from `start` (3 x garment vertices).
 void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start = nullptr);
-// Edit, adjust, redraw.
-void work(Job& job, Progress& progress);
+// The recipe's edits, and its replica.
+void make_target(Job& job, Progress& progress);
+// From the target to outlines and sheet.
+void adjust_and_redraw(Job& job, Progress& progress);
 // Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);
 
