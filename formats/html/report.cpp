@@ -175,6 +175,7 @@ std::string report_html(const RunReport& report, const std::string& page) {
   slots.set("seam_failure_mm", mm(report.seam_failure, 0));
   slots.set("recipe", report.recipe);
   slots.set("has_recipe", Slot(!report.recipe.empty()));
+  set_list(slots, "certificate", names(report.certificate));
   set_list(slots, "inputs", facts(report.inputs));
   slots.set("drape_heading", report.drape_heading);
   set_list(slots, "drape", facts(report.drape));

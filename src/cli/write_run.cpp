@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/account.h"
+#include "cli/certificate.h"
 #include "cli/pictures.h"
 #include "cli/templates.h"
 #include "formats/formats.h"
@@ -20,10 +21,7 @@ void write_patterns(const Job& job, const OutputFolder& out, const std::string& 
 }
 
 void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
-  CutSheet sheet = job.sheet;
-  sheet.notes.push_back(verdict(job));
-  sheet.notes.push_back(made_from(job));
-  write_svg(out.path(stem + ".svg"), sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
+  write_svg(out.path(stem + ".svg"), job.sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
   const GarmentMesh& garment = job.target.garment;
   write_obj(out.path("source.obj"), job.worn.garment, job.worn.drape.positions);
   write_obj(out.path("target.obj"), garment, job.target.positions);
@@ -52,6 +50,9 @@ void finish_run(Job& job, const OutputFolder& out, const std::string& recipe_tex
   adjust_and_redraw(job, progress);
   write_patterns(job, out, stem);
   prove(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"), progress);
+  job.sheet.notes = certificate(job);
+  write_patterns(job, out, stem);
+  check_still_proved(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"));
 
   progress.begin("write");
   write_results(job, out, stem);
