@@ -1,35 +1,24 @@
 #include "formats/html/report.h"
 
 #include <cmath>
-#include <cstdio>
-#include <kainjow/mustache.hpp>
 #include <stdexcept>
 
 #include "formats/formats.h"
 #include "formats/html/base64.h"
+#include "formats/html/figures.h"
+#include "formats/html/page.h"
 #include "garment/units.h"
 
 namespace toile {
 namespace {
 
-using Slot = kainjow::mustache::data;
-
-std::string number(double value, int digits) {
-  if (!std::isfinite(value)) throw std::invalid_argument("report: a figure is not finite");
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string mm(double metres, int digits = 2) { return number(metres * mm_per_m, digits); }
-
-// With its sign; a change that rounds to nothing has none.
-std::string change(double metres) {
-  const std::string text = mm(metres);
-  return text == "-0.00" || text == "0.00" ? "0.00" : metres > 0 ? "+" + text : text;
-}
-
-std::string percent(double share, int digits = 2) { return number(100 * share, digits); }
+using html::change;
+using html::mm;
+using html::number;
+using html::percent;
+using html::rendered;
+using html::Slot;
+using html::write_page;
 
 Slot facts(const std::vector<ReportFact>& from) {
   Slot rows{Slot::type::list};
@@ -186,6 +175,7 @@ std::string report_html(const RunReport& report, const std::string& page) {
   slots.set("seam_failure_mm", mm(report.seam_failure, 0));
   slots.set("recipe", report.recipe);
   slots.set("has_recipe", Slot(!report.recipe.empty()));
+  set_list(slots, "certificate", names(report.certificate));
   set_list(slots, "inputs", facts(report.inputs));
   slots.set("drape_heading", report.drape_heading);
   set_list(slots, "drape", facts(report.drape));
@@ -198,31 +188,11 @@ std::string report_html(const RunReport& report, const std::string& page) {
   set_list(slots, "girths", girths(report.girths));
   set_list(slots, "maps", pictures(report.maps));
   set_list(slots, "files", names(report.files));
-  kainjow::mustache::mustache form(page);
-  if (!form.is_valid())
-    throw BadInput({.code = "report.bad-template",
-                    .place = "report template",
-                    .text = form.error_message(),
-                    .remedy = "compare it with templates/reports/report.html"});
-  std::string html = form.render(slots);
-  if (!form.error_message().empty())
-    throw BadInput({.code = "report.bad-template",
-                    .place = "report template",
-                    .text = form.error_message(),
-                    .remedy = "compare it with templates/reports/report.html"});
-  return html;
+  return rendered(slots, page, "templates/reports/report.html");
 }
 
 void write_report(const std::filesystem::path& file, const RunReport& report, const std::filesystem::path& page) {
-  const std::string form = value_or_throw(read_whole_file(page));
-  try {
-    write_whole_file(file, report_html(report, form));
-  } catch (const BadInput& bad) {
-    Finding finding = bad.finding();
-    if (finding.code != "report.bad-template") throw;
-    finding.place = page.string();
-    throw BadInput(finding);
-  }
+  write_page(file, page, [&](const std::string& form) { return report_html(report, form); });
 }
 
 }  // namespace toile

@@ -42,9 +42,10 @@ struct ReportPicture {
 
 struct RunReport {
   std::string title;
-  std::string verdict;                // one line
-  Severity outcome = Severity::note;  // colour of the verdict: note is good
-  std::vector<ReportFact> inputs;     // pattern, body, fabric, simulator, tolerance, version, hashes
+  std::string verdict;                   // one line
+  Severity outcome = Severity::note;     // colour of the verdict: note is good
+  std::vector<std::string> certificate;  // lines, as they are on every sheet
+  std::vector<ReportFact> inputs;        // pattern, body, fabric, simulator, tolerance, version, hashes
   std::string drape_heading = "First drape";
   std::vector<ReportFact> drape;  // its figures
   double height = 0;              // m, of the body; distances are also given in percent of it

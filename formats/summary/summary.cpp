@@ -137,6 +137,7 @@ std::string summary_json(const RunSummary& summary) {
   root["toile"] = summary.version;
   root["recipe"] = summary.recipe;
   root["verdict"] = summary.verdict;
+  if (!summary.certificate.empty()) root["certificate"] = summary.certificate;
   root["ok"] = summary.ok;
   root["mannequin"]["name"] = summary.mannequin.name;
   put(root["mannequin"], "height_m", summary.mannequin.height, "mannequin");

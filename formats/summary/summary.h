@@ -28,8 +28,9 @@ struct SummaryGirth {
 struct RunSummary {
   std::string version;  // of toile
   std::string recipe;
-  std::string verdict;  // the one line that is printed
-  bool ok = false;      // every check passed
+  std::string verdict;                   // the one line that is printed
+  std::vector<std::string> certificate;  // lines, as they are on every sheet
+  bool ok = false;                       // every check passed
   struct {
     std::string name;
     double height = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/certificate.h"
 #include "cli/exit_codes.h"
 #include "garment/units.h"
 
@@ -113,12 +114,6 @@ std::string verdict(const Job& job) {
   return words;
 }
 
-std::string made_from(const Job& job) {
-  std::string words = std::string("Made by toile ") + TOILE_VERSION + " from ";
-  for (const InputHash& input : job.inputs) words += (&input == job.inputs.data() ? "" : ", ") + in_short(input);
-  return words;
-}
-
 RunSummary summary_of_drape(const Job& job, const std::vector<std::string>& files) {
   RunSummary summary;
   summary.version = TOILE_VERSION;
@@ -142,6 +137,7 @@ RunSummary summary_of(const Job& job, const std::vector<std::string>& files) {
   const AdjustStep& proved = job.verified.step;
   RunSummary summary = summary_of_drape(job, files);
   summary.verdict = verdict(job);
+  summary.certificate = certificate(job);
   summary.ok = exit_code(job) == exit_ok;
   summary.flattened = {job.flattened.hausdorff, job.flattened.mean, job.flattened.stretch};
   summary.adjusted.distance = {proved.hausdorff, proved.mean, proved.stretch};
@@ -185,6 +181,7 @@ RunReport report_of(const Job& job, const std::string& recipe_text, const ShownP
   const AdjustStep& proved = job.verified.step;
   RunReport report = report_of_drape(job, pictures, files);
   report.verdict = verdict(job);
+  report.certificate = certificate(job);
   report.drape_heading = "First drape";
   for (const ReportFact& fact : tailoring_facts(job.tailoring)) report.drape.push_back(fact);
   report.distances = {{"plain flattening", job.flattened.mean, job.flattened.hausdorff, job.flattened.stretch},

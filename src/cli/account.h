@@ -14,9 +14,6 @@ namespace toile {
 // What a pattern maker wants to know, in one line.
 std::string verdict(const Job& job);
 
-// "Made by toile 0.1.0 from skirt.dxf (SHA-256 1f0c93ab52e4), ...": which versions of which files.
-std::string made_from(const Job& job);
-
 // What every verb says that drapes: all up to the source drape, the findings and the files. Not the verdict.
 RunSummary summary_of_drape(const Job& job, const std::vector<std::string>& files);
 RunSummary summary_of(const Job& job, const std::vector<std::string>& files);

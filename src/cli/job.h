@@ -48,13 +48,22 @@ struct Job {
 void load(Job& job, Progress& progress);
 // The source drape: dressed and settled, or settled from `start` (3 x garment vertices).
 void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start = nullptr);
-// Edit, adjust, redraw.
-void work(Job& job, Progress& progress);
+// The recipe's edits, and its replica.
+void make_target(Job& job, Progress& progress);
+// From the target to outlines and sheet.
+void adjust_and_redraw(Job& job, Progress& progress);
 // Reads the pattern file written from job.sheet again, holds it against what was meant, and drapes it from the target.
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress);
 
+// Keeps what a stage had to say.
+void add(Job& job, const Report& report);
+std::string percent_of_height(double metres, const Job& job);  // "0.29 %"
+
 // The pattern that is adjusted: the one that was read, or what an edit made of it.
 const Pattern& edited_pattern(const Job& job);
+
+// Throws BadInput "export.changed" unless the pattern in the file is the one that was proved, to the bit.
+void check_still_proved(const Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams);
 
 // Steps of dressing and draping shown on `progress`.
 DrapeControl watched(Progress& progress);

@@ -44,6 +44,8 @@ std::vector<Picture> write_maps(const Job& job, const Showing& showing, const Ei
   return pictures;
 }
 
+const Mannequin& source_form(const Job& job) { return job.source_body ? job.source_body->form : job.scene.body.form; }
+
 }  // namespace
 
 ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
@@ -62,10 +64,8 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   const auto write = [&](const std::string& file, const std::string& caption, const Image& image) {
     pictures.views.push_back(written(out, file, caption, image));
   };
-  write(
-      "source.png", "The pattern as it was read, draped.",
-      drape_picture({job.source_body ? job.source_body->form : job.scene.body.form, job.worn.garment, job.worn.drape.positions},
-                    job.worn.drape.positions, "source"));
+  write("source.png", "The pattern as it was read, draped.",
+        drape_picture({source_form(job), job.worn.garment, job.worn.drape.positions}, job.worn.drape.positions, "source"));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
   write("redrape.png", "The adjusted pattern draped anew, coloured by its distance to the target.",
         distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"},
@@ -78,6 +78,23 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   const GarmentMesh redrawn = with_rest(garment, job.verified.rest);
   pictures.maps = write_maps(job, {job.scene.body.form, redrawn, target}, job.verified.drape.positions,
                              "re-drape of the adjusted pattern: ", out);
+  return pictures;
+}
+
+ShownPictures write_edit_pictures(const Job& job, const OutputFolder& out) {
+  const GarmentMesh& garment = job.target.garment;
+  const Eigen::Matrix3Xd& target = job.target.positions;
+  const Eigen::VectorXd moved =
+      surface_distance({target, garment.triangles}, {job.target.source, garment.triangles}).a_vertices;
+  const Showing showing{job.scene.body.form, garment, target};
+  ShownPictures pictures;
+  pictures.views.push_back(written(
+      out, "source.png", "The pattern as it was read, draped.",
+      drape_picture({source_form(job), job.worn.garment, job.worn.drape.positions}, job.worn.drape.positions, "source")));
+  pictures.views.push_back(
+      written(out, "target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target")));
+  pictures.views.push_back(written(out, "moved.png", "The target, coloured by its distance to the source.",
+                                   distance_picture(showing, {target, moved, "target against source"}, scale_top({moved}))));
   return pictures;
 }
 

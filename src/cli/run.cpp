@@ -1,56 +1,18 @@
 #include "cli/run.h"
 
-#include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 
 #include "cli/account.h"
 #include "cli/job.h"
 #include "cli/output_folder.h"
-#include "cli/pictures.h"
 #include "cli/recipe_file.h"
 #include "cli/stuck.h"
-#include "cli/templates.h"
+#include "cli/write_run.h"
+#include "cut/cut.h"
 #include "formats/formats.h"
-#include "formats/svg/sheet_style.h"
-#include "formats/svg/write_svg.h"
 
 namespace toile {
-namespace {
-
-// File name of the pattern: the recipe's file name keeps to what every CAD can open.
-std::string file_stem(const std::filesystem::path& recipe) {
-  std::string stem = recipe.stem().string();
-  for (char& c : stem)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
-  return stem;
-}
-
-void write_patterns(const Job& job, const OutputFolder& out, const std::string& stem) {
-  write_dxf_aama(out.path(stem + ".dxf"), job.sheet);
-  write_seams(out.path(stem + ".seams.toml"), as_named_in_dxf(job.redrawn.pattern, job.sheet));
-}
-
-void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
-  CutSheet sheet = job.sheet;
-  sheet.notes.push_back(verdict(job));
-  sheet.notes.push_back(made_from(job));
-  write_svg(out.path(stem + ".svg"), sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
-  const GarmentMesh& garment = job.target.garment;
-  write_obj(out.path("source.obj"), job.worn.garment, job.worn.drape.positions);
-  write_obj(out.path("target.obj"), garment, job.target.positions);
-  write_obj(out.path("flattened.obj"), with_rest(garment, job.adjustment.flattened), job.adjustment.flattened_drape.positions);
-  write_obj(out.path("redrape.obj"), with_rest(garment, job.verified.rest), job.verified.drape.positions);
-  write_obj(out.path("body.obj"), job.scene.body.form);
-}
-
-void say(const Job& job, const RunOptions& options) {
-  for (const Finding& finding : job.findings)
-    if (finding.severity == Severity::error || !options.quiet) std::fprintf(stderr, "toile: %s\n", in_words(finding).c_str());
-}
-
-}  // namespace
 
 int run_recipe(const RunOptions& options) {
   const auto began = std::chrono::steady_clock::now();
@@ -60,30 +22,17 @@ int run_recipe(const RunOptions& options) {
   job.recipe = value_or_throw(read_recipe(options.recipe));
   OutputFolder out(options.out, options.force);
   load(job, progress);
-  const std::string stem = file_stem(options.recipe);
+  lay_out(job.pattern, job.recipe.cut);  // what cannot be cut as it is read is said before the work
   try {
     drape(job, progress, with_stuck_picture(watched(progress), job, out));
-    work(job, progress);
-    write_patterns(job, out, stem);
-    prove(job, out.path(stem + ".dxf"), out.path(stem + ".seams.toml"), progress);
+    make_target(job, progress);
+    finish_run(job, out, value_or_throw(read_whole_file(options.recipe)), began, progress);
   } catch (const BadInput&) {
     keep_stuck_picture(job, out);
     throw;
   }
-
-  progress.begin("write");
-  write_results(job, out, stem);
-  const ShownPictures pictures = write_run_pictures(job, out);
-  std::vector<std::string> files = out.names();
-  files.insert(files.end(), {"report.html", "summary.json"});
-  std::sort(files.begin(), files.end());
-  job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  write_report(out.path("report.html"), report_of(job, value_or_throw(read_whole_file(options.recipe)), pictures, files),
-               template_file("reports", "report.html"));
-  write_summary(out.path("summary.json"), summary_of(job, files));
   out.keep();
-  progress.end(std::to_string(files.size()) + " files in " + out.folder().string());
-  say(job, options);
+  say(job, options.quiet);
   std::printf("%s; files in %s\n", verdict(job).c_str(), out.folder().string().c_str());
   return exit_code(job);
 }

@@ -2,6 +2,6 @@
 
 namespace toile {
 
-std::vector<Verb> add_verbs(CLI::App& app) { return {add_run(app), add_drape(app)}; }
+std::vector<Verb> add_verbs(CLI::App& app) { return {add_run(app), add_drape(app), add_edit(app), add_grade(app)}; }
 
 }  // namespace toile
