@@ -13,7 +13,8 @@ namespace toile {
 // Where the pieces of a role sit, by the face of the garment they belong to.
 struct RolePlace {
   std::string face;  // "front", "back", "side"; empty: any
-  BodyPart at;       // of the wearer's left side; the right side is its mirror image
+  BodyPart at;       // of a piece that spans both sides; "arm" and "leg" are those of the wearer's left
+  double half = 0;   // radians from there for a piece of the wearer's left side; the right side is its mirror image
   bool operator==(const RolePlace&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "pairing/assignment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -15,7 +16,10 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 constexpr double lopsided = .6;  // for each seam without its mirror image
 constexpr double least_pair = -2.2;
-constexpr std::size_t most_partners = 14;
+constexpr double least_zipped = -1;
+constexpr std::size_t most_partners = 14, longest_zip = 4;
+constexpr int steps_for_each_edge = 500;
+constexpr double hot = 2.2, cold = .15;  // nats
 
 // Deterministic dice.
 struct Dice {
@@ -24,6 +28,7 @@ struct Dice {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return static_cast<std::uint32_t>(state >> 33);
   }
+  double share() { return roll() / 2147483648.0; }
 };
 
 void unsew(Mates& mates, int edge) {
@@ -39,8 +44,8 @@ void sew(Mates& mates, int a, int b) {
   mates[u(b)] = a;
 }
 
-// Seams worth trying: each alone and with its mirror image.
-std::vector<Pairs> candidates(const Problem& problem) {
+// Pairs worth trying: the best partners of each edge.
+std::vector<std::vector<char>> worth_trying(const Problem& problem) {
   const int n = static_cast<int>(problem.pair.size());
   std::vector<std::vector<char>> good(u(n), std::vector<char>(u(n), 0));
   for (int a = 0; a < n; ++a) {
@@ -52,16 +57,51 @@ std::vector<Pairs> candidates(const Problem& problem) {
     if (order.size() > most_partners) order.resize(most_partners);
     for (const int b : order) good[u(a)][u(b)] = good[u(b)][u(a)] = 1;
   }
+  return good;
+}
+
+bool use_an_edge_twice(const Pairs& pairs) {
+  std::vector<int> used;
+  for (const auto& [a, b] : pairs) used.insert(used.end(), {a, b});
+  std::sort(used.begin(), used.end());
+  return std::adjacent_find(used.begin(), used.end()) != used.end();
+}
+
+// With the mirror images of its seams; nothing where they are unknown, the seams themselves, or in their way.
+Pairs with_images(const Problem& problem, const Pairs& pairs) {
+  Pairs both = pairs;
+  for (const auto& [a, b] : pairs) {
+    const int ia = problem.image[u(a)], ib = problem.image[u(b)];
+    if (ia < 0 || ib < 0) return {};
+    const std::pair<int, int> image = std::minmax(ia, ib), seam = std::minmax(a, b);
+    if (image != seam) both.push_back(image);
+  }
+  if (both.size() == pairs.size() || use_an_edge_twice(both)) return {};
+  return both;
+}
+
+// Seams to try at once: one, a run of neighbouring ones as a zip closes, each also with its mirror image.
+std::vector<Pairs> candidates(const Problem& problem) {
+  const auto good = worth_trying(problem);
+  const int n = static_cast<int>(good.size());
   std::vector<Pairs> out;
+  const auto add = [&](const Pairs& pairs) {
+    out.push_back(pairs);
+    if (Pairs both = with_images(problem, pairs); !both.empty()) out.push_back(std::move(both));
+  };
   for (int a = 0; a < n; ++a)
-    for (int b = a + 1; b < n; ++b) {
+    for (int b = 0; b < n; ++b) {
       if (!good[u(a)][u(b)]) continue;
-      out.push_back({{a, b}});
-      const int ia = problem.image[u(a)], ib = problem.image[u(b)];
-      if (ia < 0 || ib < 0 || ia == ib) continue;
-      if (std::minmax(ia, ib) == std::minmax(a, b)) continue;
-      if (ia == a || ib == b || ia == b || ib == a) continue;  // the two would share an edge
-      if (std::minmax(ia, ib) > std::minmax(a, b)) out.push_back({{a, b}, {ia, ib}});
+      Pairs zip{{a, b}};
+      if (a < b) add(zip);
+      for (int x = a, y = b; zip.size() < longest_zip;) {
+        x = problem.all->edges[u(x)].next;
+        y = problem.all->edges[u(y)].previous;
+        if (x == y || problem.pair[u(x)][u(y)] < least_zipped) break;
+        zip.emplace_back(x, y);
+        if (use_an_edge_twice(zip)) break;
+        add(zip);
+      }
     }
   return out;
 }
@@ -105,19 +145,28 @@ bool climb(const Problem& problem, const std::vector<Pairs>& moves, Assignment& 
   return better;
 }
 
-// Takes the seams of a few neighbouring panels out.
-void shake(const Problem& problem, Mates& mates, Dice& dice) {
-  const auto panels = static_cast<std::uint32_t>(problem.all->panels.size());
-  const int first = static_cast<int>(dice.roll() % panels), second = static_cast<int>(dice.roll() % panels);
-  const std::uint32_t share = 40 + dice.roll() % 61;
-  for (int e = 0; e < static_cast<int>(mates.size()); ++e) {
-    const int panel = problem.all->edges[u(e)].panel;
-    if (mates[u(e)] >= 0 && (panel == first || panel == second) && dice.roll() % 100 < share) {
-      const int image = problem.image[u(e)];
-      unsew(mates, e);
-      if (image >= 0) unsew(mates, image);
+// Simulated annealing over `steps` tries; leaves the best it met.
+void anneal(const Problem& problem, const std::vector<Pairs>& moves, int steps, Dice& dice, Assignment& at) {
+  Assignment best = at;
+  Mates mates;
+  for (int step = 0; step < steps && !moves.empty(); ++step) {
+    const double heat = hot * std::pow(cold / hot, double(step) / steps);
+    const Pairs& move = moves[dice.roll() % moves.size()];
+    const bool sewn = std::all_of(move.begin(), move.end(), [&](const auto& m) { return at.mates[u(m.first)] == m.second; });
+    mates = at.mates;
+    if (sewn) {
+      for (const auto& [a, b] : move) unsew(mates, a);
+    } else {
+      sew(mates, move);
+      if (dice.roll() % 2) sew_rest(problem, at.mates, mates, move);
     }
+    const double value = score(problem, mates);
+    if (value < at.score && dice.share() >= std::exp((value - at.score) / heat)) continue;
+    std::swap(at.mates, mates);
+    at.score = value;
+    if (at.score > best.score) best = at;
   }
+  at = std::move(best);
 }
 
 }  // namespace
@@ -136,19 +185,17 @@ double score(const Problem& problem, const Mates& mates) {
 
 Assignment assign(const Problem& problem, int rounds, const Mates& start) {
   const std::vector<Pairs> moves = candidates(problem);
-  Assignment best;
-  best.mates = start.empty() ? Mates(problem.pair.size(), -1) : start;
-  best.score = score(problem, best.mates);
-  while (climb(problem, moves, best)) {
-  }
+  Assignment first;
+  first.mates = start.empty() ? Mates(problem.pair.size(), -1) : start;
+  first.score = score(problem, first.mates);
+  Assignment best = first;
   Dice dice;
-  for (int round = 0; round < rounds && !problem.all->panels.empty(); ++round) {
-    Assignment next = best;
-    shake(problem, next.mates, dice);
-    next.score = score(problem, next.mates);
+  for (int round = 0; round < rounds; ++round) {
+    Assignment next = first;
+    anneal(problem, moves, steps_for_each_edge * static_cast<int>(problem.pair.size()), dice, next);
     while (climb(problem, moves, next)) {
     }
-    if (next.score > best.score + 1e-9) best = next;
+    if (next.score > best.score + 1e-9) best = std::move(next);
   }
   return best;
 }

@@ -22,8 +22,8 @@ struct Assignment {
 
 double score(const Problem& problem, const Mates& mates);
 
-// Local search by whole seams and their mirror images from `start` (default: nothing sewn), shaken `rounds` times always in the
-// same way.
+// Simulated annealing by seams, runs of neighbouring seams and their mirror images, `rounds` times from `start` (default:
+// nothing sewn), always with the same dice; the best is then climbed from.
 Assignment assign(const Problem& problem, int rounds, const Mates& start = {});
 
 // By edge that is sewn: how much the best garment without that seam scores below `found`; 0 for open edges.

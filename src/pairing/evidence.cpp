@@ -147,7 +147,8 @@ std::string percent(double share) {
 
 }  // namespace
 
-Evidence evidence(const PanelEdges& all, int a, int b, const std::vector<PieceName>& names, const GarmentTemplate& garment) {
+Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::vector<PieceName>& names,
+                  const GarmentTemplate& garment) {
   const PanelEdge& ea = at(all, a);
   const PanelEdge& eb = at(all, b);
   Evidence out;
@@ -157,6 +158,10 @@ Evidence evidence(const PanelEdges& all, int a, int b, const std::vector<PieceNa
     return out;
   }
   out.shape = by_shape(ea, eb);
+  if (twins) {
+    out.lengths = std::min(out.lengths, .6);
+    out.shape = std::min(out.shape, .2);
+  }
   out.layout = by_layout(all, a, b);
   out.upright = out.layout > 0 ? 0 : by_upright(ea, eb);
   out.notches = by_notches(ea, eb);

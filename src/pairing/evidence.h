@@ -22,8 +22,10 @@ constexpr double impossible = -50;
 // Longest gather that is believed: 2.2 times.
 constexpr double most_gather = 2.25;
 
-// `names` by piece; `garment` may have no roles.
-Evidence evidence(const PanelEdges& all, int a, int b, const std::vector<PieceName>& names, const GarmentTemplate& garment);
+// `twins`: the two are mirror images of each other, so that they agree whether they are sewn or not. `names` by piece;
+// `garment` may have no roles.
+Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::vector<PieceName>& names,
+                  const GarmentTemplate& garment);
 
 // "lengths agree within 0.3 mm", "curves mate", "2 notches meet", ...
 std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evidence& evidence);

@@ -62,6 +62,23 @@ Corners corners(const PanelEdges& all, const Mates& mates) {
   return out;
 }
 
+int next_open(const PanelEdges& all, const Mates& mates, int edge) {
+  int at = all.edges[u(edge)].next;
+  while (mates[u(at)] >= 0) at = all.edges[u(mates[u(at)])].next;
+  return at;
+}
+
+int loop_count(const PanelEdges& all, const Mates& mates) {
+  std::vector<char> seen(mates.size(), 0);
+  int count = 0;
+  for (int e = 0; e < static_cast<int>(mates.size()); ++e) {
+    if (mates[u(e)] >= 0 || seen[u(e)]) continue;
+    ++count;
+    for (int at = e; !seen[u(at)]; at = next_open(all, mates, at)) seen[u(at)] = 1;
+  }
+  return count;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> open_loops(const PanelEdges& all, const Mates& mates) {
@@ -71,11 +88,9 @@ std::vector<std::vector<int>> open_loops(const PanelEdges& all, const Mates& mat
   for (int e = 0; e < n; ++e) {
     if (mates[u(e)] >= 0 || seen[u(e)]) continue;
     loops.emplace_back();
-    for (int at = e; !seen[u(at)];) {
+    for (int at = e; !seen[u(at)]; at = next_open(all, mates, at)) {
       seen[u(at)] = 1;
       loops.back().push_back(at);
-      at = all.edges[u(at)].next;
-      for (int guard = 0; mates[u(at)] >= 0 && guard <= n; ++guard) at = all.edges[u(mates[u(at)])].next;
     }
   }
   return loops;
@@ -103,7 +118,7 @@ double whole_score(const PanelEdges& all, const Mates& mates, const std::vector<
   const Corners met = corners(all, mates);
   int open = 0, sewn = 0;
   for (const int mate : mates) (mate < 0 ? open : sewn) += 1;
-  const int loops = static_cast<int>(open_loops(all, mates).size());
+  const int loops = loop_count(all, mates);
   const std::vector<int> part = parts(all, mates);
   const int count = part.empty() ? 0 : 1 + *std::max_element(part.begin(), part.end());
   const int euler = met.count - (open + sewn / 2) + static_cast<int>(all.panels.size());

@@ -90,7 +90,7 @@ std::vector<int> mirror_images(const PanelEdges& all, const std::vector<PieceNam
     for (int c = 0; c < count; ++c)
       if (c != a && partner[u(c)] < 0 && fits(a, c)) twins.push_back(c);
     if (fits(a, a)) {
-      if (twins.empty() && name(a).hand.empty()) pair(a, a);
+      if (twins.size() <= 1 && name(a).hand.empty()) pair(a, a);
     } else if (twins.size() == 1) {
       pair(a, twins.front());
     }
