@@ -129,8 +129,8 @@ void side_at(const TomlNode& table, const char* key, const GarmentTemplate& garm
   const std::size_t dot = text.rfind('.');
   role = text.substr(0, dot);
   side = dot == std::string::npos ? "any" : text.substr(dot + 1);
-  if (side != "top" && side != "bottom" && side != "side" && side != "any")
-    reading.bad(*node, "'" + side + "' is no side of a piece", "The sides are top, bottom, side and any");
+  if (side != "top" && side != "bottom" && side != "side" && side != "upright" && side != "any")
+    reading.bad(*node, "'" + side + "' is no side of a piece", "The sides are top, bottom, side, upright and any");
   if (std::none_of(garment.roles.begin(), garment.roles.end(), [&](const PieceRole& r) { return r.role == role; }))
     reading.report.error("garment-template.unknown-role", toml_place(reading.file, *node),
                          "no [[piece]] has the role '" + role + "'", "Name a role of this file");
@@ -138,12 +138,14 @@ void side_at(const TomlNode& table, const char* key, const GarmentTemplate& garm
 
 SeamRule rule_of(const TomlNode& node, const GarmentTemplate& garment, Reading& reading) {
   SeamRule rule;
-  refuse_unknown_keys(node, {"name", "a", "b", "face", "hand"}, reading.file, "garment-template.unknown-key", reading.report);
+  refuse_unknown_keys(node, {"name", "a", "b", "face", "hand", "once"}, reading.file, "garment-template.unknown-key",
+                      reading.report);
   rule.name = text_at(node, "name", reading);
   side_at(node, "a", garment, rule.role_a, rule.side_a, reading);
   side_at(node, "b", garment, rule.role_b, rule.side_b, reading);
   rule.face = kinship_at(node, "face", reading);
   rule.hand = kinship_at(node, "hand", reading);
+  rule.once = truth_at(node, "once", reading);
   return rule;
 }
 

@@ -34,9 +34,11 @@ enum class Kinship { any, same, other };
 struct SeamRule {
   std::string name;            // "side", "armhole"
   std::string role_a, role_b;  // as in PieceRole
-  std::string side_a, side_b;  // "top", "bottom", "side", "any": which way the edge looks when the piece hangs
+  std::string side_a, side_b;  // "top", "bottom", "side", "any": which way the edge looks when the piece hangs; "upright": it hangs
+                               // straight down
   Kinship face = Kinship::any;
   Kinship hand = Kinship::any;  // left or right of the wearer
+  bool once = false;            // two pieces are sewn so along one line only
   bool operator==(const SeamRule&) const = default;
 };
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "pairing/evidence.h"
+#include "pairing/symmetry.h"
 
 namespace toile {
 namespace {
@@ -14,6 +17,7 @@ std::size_t u(int i) { return static_cast<std::size_t>(i); }
 
 using Pairs = std::vector<std::pair<int, int>>;
 
+constexpr double second_line = 4;
 constexpr double lopsided = .6;  // for each seam without its mirror image
 constexpr double least_pair = -2.2;
 constexpr double least_zipped = -1;
@@ -169,22 +173,84 @@ void anneal(const Problem& problem, const std::vector<Pairs>& moves, int steps, 
   at = std::move(best);
 }
 
+// Whether the seam of a to b is carried on beyond a's end, darts in the way aside.
+bool goes_on(const PanelEdges& all, const Mates& mates, int a, int b) {
+  const auto past_darts = [&](int edge, bool forwards) {
+    const int panel = all.edges[u(edge)].panel;
+    const auto step = [&](int e) { return forwards ? all.edges[u(e)].next : all.edges[u(e)].previous; };
+    int at = step(edge);
+    while (at != edge && mates[u(at)] == step(at) && all.edges[u(mates[u(at)])].panel == panel) at = step(mates[u(at)]);
+    return at;
+  };
+  return mates[u(past_darts(a, true))] == past_darts(b, false);
+}
+
+// Every way in which panels of one outline can change places: the new place of each edge.
+std::vector<std::vector<int>> exchanges(const PanelEdges& all) {
+  std::vector<std::vector<int>> out;
+  const int count = static_cast<int>(all.panels.size());
+  for (int p = 0; p < count; ++p)
+    for (int q = p + 1; q < count; ++q) {
+      const int start = same_outline(all, p, q);
+      if (start < 0) continue;
+      std::vector<int> to(all.edges.size());
+      std::iota(to.begin(), to.end(), 0);
+      int a = all.panels[u(p)].first, b = start;
+      do {
+        to[u(a)] = b;
+        to[u(b)] = a;
+        a = all.edges[u(a)].next;
+        b = all.edges[u(b)].next;
+      } while (a != all.panels[u(p)].first);
+      out.push_back(std::move(to));
+    }
+  return out;
+}
+
+Mates exchanged(const Mates& mates, const std::vector<int>& to) {
+  Mates out(mates.size(), -1);
+  for (std::size_t e = 0; e < mates.size(); ++e)
+    if (mates[e] >= 0) out[u(to[e])] = to[u(mates[e])];
+  return out;
+}
+
+bool change_places(const Problem& problem, const std::vector<std::vector<int>>& places, Assignment& at) {
+  Assignment best = at;
+  for (const std::vector<int>& to : places) {
+    Mates mates = exchanged(at.mates, to);
+    const double value = score(problem, mates);
+    if (value > best.score + 1e-9) best = {std::move(mates), value};
+  }
+  const bool better = best.score > at.score + 1e-9;
+  at = std::move(best);
+  return better;
+}
+
 }  // namespace
 
 double score(const Problem& problem, const Mates& mates) {
   double sum = 0;
+  std::vector<std::tuple<int, int, int>> lines;  // kind and panels of each line of seams
   for (int a = 0; a < static_cast<int>(mates.size()); ++a) {
     const int b = mates[u(a)];
     if (b <= a) continue;
     sum += problem.pair[u(a)][u(b)];
+    if (const int kind = problem.once[u(a)][u(b)]; kind >= 0 && !goes_on(*problem.all, mates, a, b)) {
+      const auto [p, q] = std::minmax(problem.all->edges[u(a)].panel, problem.all->edges[u(b)].panel);
+      lines.emplace_back(kind, p, q);
+    }
     const int ia = problem.image[u(a)], ib = problem.image[u(b)];
     if (ia >= 0 && ib >= 0 && mates[u(ia)] != ib) sum -= lopsided;
   }
+  std::sort(lines.begin(), lines.end());
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (lines[i] == lines[i - 1]) sum -= second_line;
   return sum + whole_score(*problem.all, mates, problem.openings);
 }
 
 Assignment assign(const Problem& problem, int rounds, const Mates& start) {
   const std::vector<Pairs> moves = candidates(problem);
+  const auto places = exchanges(*problem.all);
   Assignment first;
   first.mates = start.empty() ? Mates(problem.pair.size(), -1) : start;
   first.score = score(problem, first.mates);
@@ -193,7 +259,7 @@ Assignment assign(const Problem& problem, int rounds, const Mates& start) {
   for (int round = 0; round < rounds; ++round) {
     Assignment next = first;
     anneal(problem, moves, steps_for_each_edge * static_cast<int>(problem.pair.size()), dice, next);
-    while (climb(problem, moves, next)) {
+    while (climb(problem, moves, next) || change_places(problem, places, next)) {
     }
     if (next.score > best.score + 1e-9) best = std::move(next);
   }

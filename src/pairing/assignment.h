@@ -11,6 +11,7 @@ namespace toile {
 struct Problem {
   const PanelEdges* all = nullptr;
   std::vector<std::vector<double>> pair;  // symmetric; `impossible` or below: never
+  std::vector<std::vector<int>> once;     // which kind of seam that two panels have along one line only; -1: none
   std::vector<int> image;                 // mirror images, -1: none
   std::vector<int> openings;
 };

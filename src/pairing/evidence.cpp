@@ -53,6 +53,14 @@ double bend(const PanelEdge& edge) {
   return sum / static_cast<double>(edge.heading.size());
 }
 
+// Mean inward bend, radians; negative for edges that bulge outwards.
+double hollow(const PanelEdge& edge) {
+  double sum = 0;
+  const std::size_t n = edge.heading.size();
+  for (std::size_t k = 0; k < n; ++k) sum += (k < n / 2 ? 1 : -1) * edge.heading[k];
+  return sum / static_cast<double>(n);
+}
+
 double by_shape(const PanelEdge& a, const PanelEdge& b) {
   const ShapeDifference d = shape_difference(a, b);
   const double apart = std::min(d.mirrored, d.mated) / .16;
@@ -88,6 +96,7 @@ bool looks(const PanelEdge& edge, const std::string& side) {
   if (side == "top") return edge.outward.y() > steep;
   if (side == "bottom") return edge.outward.y() < -steep;
   if (side == "side") return std::abs(edge.outward.x()) > steep;
+  if (side == "upright") return std::abs(edge.outward.x()) > .96;
   return true;
 }
 
@@ -96,8 +105,21 @@ bool kin(Kinship kinship, const std::string& a, const std::string& b) {
   return (kinship == Kinship::same) == (a == b);
 }
 
+// Numbered panels go round to the wearer's left, beginning in front. Only settles what is otherwise equal.
+double by_number(const PanelEdge& a, const PanelEdge& b, const PieceName& na, const PieceName& nb) {
+  if (na.number < 0 && nb.number < 0) return 0;
+  if (na.role == nb.role) {
+    const int step = nb.number - na.number;
+    if (std::abs(step) != 1) return 0;
+    return .3 + (a.outward.x() * step > b.outward.x() * step ? .1 : 0);
+  }
+  const double number = std::max(na.number, nb.number);
+  const std::string& face = na.face.empty() ? nb.face : na.face;
+  return face == "front" ? -.01 * number : face == "back" ? .01 * number : 0;
+}
+
 double by_names(const PanelEdges& all, int a, int b, const std::vector<PieceName>& names, const GarmentTemplate& garment,
-                std::string& rule_name) {
+                int& spoken) {
   const PanelEdge& ea = at(all, a);
   const PanelEdge& eb = at(all, b);
   const Panel& pa = all.panels[static_cast<std::size_t>(ea.panel)];
@@ -110,6 +132,9 @@ double by_names(const PanelEdges& all, int a, int b, const std::vector<PieceName
   for (const auto& [edge, role] : {std::pair(&ea, &ra), std::pair(&eb, &rb)})
     for (const std::string& open : role->open)
       if (looks(*edge, open) && std::abs(edge->outward.y()) > .9 && ea.panel != eb.panel) return -1.5;
+  const bool dart_from_below = (ea.next == b && ea.along.y() > .7) || (eb.next == a && eb.along.y() > .7);
+  const bool free_below = std::find(ra.open.begin(), ra.open.end(), "bottom") != ra.open.end();
+  if (ea.panel == eb.panel && dart_from_below && free_below) return -5;  // a slit in a hem
   bool roles_meet = false;
   for (const SeamRule& rule : garment.seams) {
     const bool straight = rule.role_a == ra.role && rule.role_b == rb.role;
@@ -119,8 +144,8 @@ double by_names(const PanelEdges& all, int a, int b, const std::vector<PieceName
     if (!kin(rule.face, na.face, nb.face) || !kin(rule.hand, na.hand, nb.hand)) continue;
     if ((straight && looks(ea, rule.side_a) && looks(eb, rule.side_b)) ||
         (crossed && looks(ea, rule.side_b) && looks(eb, rule.side_a))) {
-      rule_name = rule.name;
-      return 1.2;
+      spoken = static_cast<int>(&rule - garment.seams.data());
+      return 1.2 + by_number(ea, eb, na, nb);
     }
   }
   if (ea.panel == eb.panel) return roles_meet ? -.3 : 0;
@@ -159,8 +184,9 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
   }
   out.shape = by_shape(ea, eb);
   if (twins) {
-    out.lengths = std::min(out.lengths, .6);
-    out.shape = std::min(out.shape, .2);
+    out.lengths = std::min(out.lengths, .4);
+    // Two armholes, two halves of a neck: alike because they are mirror images. Only legs meet so, at the crotch.
+    out.shape = std::min(hollow(ea), hollow(eb)) > .12 ? -1.2 : std::min(out.shape, .2);
   }
   out.layout = by_layout(all, a, b);
   out.upright = out.layout > 0 ? 0 : by_upright(ea, eb);
@@ -169,7 +195,7 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
   return out;
 }
 
-std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evidence& found) {
+std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evidence& found, const GarmentTemplate& garment) {
   const PanelEdge& ea = at(all, a);
   const PanelEdge& eb = at(all, b);
   std::vector<std::string> out;
@@ -186,7 +212,7 @@ std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evid
   }
   if (found.notches > 0) out.push_back("notches meet");
   if (found.notches < 0) out.push_back("notches do not meet");
-  if (!found.rule.empty()) out.push_back("names: " + found.rule);
+  if (found.rule >= 0) out.push_back("names: " + garment.seams[static_cast<std::size_t>(found.rule)].name);
   if (found.shape < -.5) out.push_back("curves differ");
   return out;
 }

@@ -13,7 +13,7 @@ namespace toile {
 // Each in nats: how much likelier the pair is sewn than chance. Their sum counts.
 struct Evidence {
   double lengths = 0, shape = 0, upright = 0, notches = 0, names = 0, layout = 0;
-  std::string rule;  // of the template, when one speaks for the pair
+  int rule = -1;  // index into GarmentTemplate::seams, when one speaks for the pair
   double total() const { return lengths + shape + upright + notches + names + layout; }
 };
 
@@ -28,6 +28,6 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
                   const GarmentTemplate& garment);
 
 // "lengths agree within 0.3 mm", "curves mate", "2 notches meet", ...
-std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evidence& evidence);
+std::vector<std::string> reasons(const PanelEdges& all, int a, int b, const Evidence& evidence, const GarmentTemplate& garment);
 
 }  // namespace toile

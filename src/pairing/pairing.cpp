@@ -13,7 +13,8 @@ namespace {
 
 std::size_t u(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int rounds = 4;
+constexpr int few_rounds = 3, many_rounds = 8;
+constexpr double unused_role = .1;  // nats
 
 struct Attempt {
   const GarmentTemplate* garment = nullptr;
@@ -35,15 +36,20 @@ void pose(Attempt& attempt) {
   attempt.problem.image = mirror_images(attempt.all, attempt.names);
   attempt.problem.openings = attempt.garment->openings;
   attempt.problem.pair.assign(n, std::vector<double>(n, impossible));
+  attempt.problem.once.assign(n, std::vector<int>(n, -1));
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n; ++b) {
       const bool twins = attempt.problem.image[a] == static_cast<int>(b);
-      attempt.problem.pair[a][b] = attempt.problem.pair[b][a] =
-          evidence(attempt.all, static_cast<int>(a), static_cast<int>(b), twins, attempt.names, *attempt.garment).total();
+      const Evidence seen =
+          evidence(attempt.all, static_cast<int>(a), static_cast<int>(b), twins, attempt.names, *attempt.garment);
+      attempt.problem.pair[a][b] = attempt.problem.pair[b][a] = seen.total();
+      const bool apart = attempt.all.edges[a].panel != attempt.all.edges[b].panel;
+      if (seen.rule >= 0 && apart && attempt.garment->seams[u(seen.rule)].once)
+        attempt.problem.once[a][b] = attempt.problem.once[b][a] = seen.rule;
     }
 }
 
-Attempt attempt_as(const Pattern& pattern, const GarmentTemplate& garment) {
+Attempt attempt_as(const Pattern& pattern, const GarmentTemplate& garment, int rounds) {
   Attempt out;
   out.garment = &garment;
   out.names = names_of(pattern, garment);
@@ -53,6 +59,14 @@ Attempt attempt_as(const Pattern& pattern, const GarmentTemplate& garment) {
   pose(out);
   out.found = assign(out.problem, rounds);
   return out;
+}
+
+// Of two garments that explain the pieces as well, the simpler one.
+int unused_roles(const std::vector<PieceName>& names, const GarmentTemplate& garment) {
+  int unused = 0;
+  for (int r = 0; r < static_cast<int>(garment.roles.size()); ++r)
+    unused += std::none_of(names.begin(), names.end(), [&](const PieceName& name) { return name.role == r; });
+  return unused;
 }
 
 // The templates that know the most of the pieces by their names.
@@ -77,17 +91,22 @@ std::vector<const GarmentTemplate*> in_question(const Pattern& pattern, const st
 Proposal propose_seams(const Pattern& pattern, const std::vector<GarmentTemplate>& templates) {
   GarmentTemplate none;
   none.openings = {2, 3, 4};
-  Attempt best = attempt_as(pattern, none);
+  const auto garments = in_question(pattern, templates);
+  Attempt best =
+      attempt_as(pattern, garments.empty() ? none : *garments.front(), garments.size() > 1 ? few_rounds : many_rounds);
   best.problem.all = &best.all;
-  const double plain = best.found.score;
-  for (const GarmentTemplate* garment : in_question(pattern, templates)) {
-    Attempt next = attempt_as(pattern, *garment);
-    if (next.found.score > best.found.score + 1e-9) best = std::move(next);
+  if (garments.size() > 1) {
+    const auto worth = [](const Attempt& a) { return a.found.score - unused_role * unused_roles(a.names, *a.garment); };
+    for (std::size_t g = 1; g < garments.size(); ++g) {
+      Attempt next = attempt_as(pattern, *garments[g], few_rounds);
+      if (worth(next) > worth(best) + 1e-9) best = std::move(next);
+      best.problem.all = &best.all;
+    }
+    best = attempt_as(pattern, *best.garment, many_rounds);
     best.problem.all = &best.all;
   }
   Proposal out;
   out.garment = best.garment->name;
-  out.fit = best.found.score - plain;
   out.pattern = pattern;
   out.pattern.seams.clear();
   const std::vector<double> margin = margins(best.problem, best.found);
@@ -98,7 +117,7 @@ Proposal propose_seams(const Pattern& pattern, const std::vector<GarmentTemplate
     seam.seam.a = span_of(pattern, best.all, a);
     seam.seam.b = reversed(span_of(pattern, best.all, b));
     const Evidence seen = evidence(best.all, a, b, best.problem.image[u(a)] == b, best.names, *best.garment);
-    seam.reasons = reasons(best.all, a, b, seen);
+    seam.reasons = reasons(best.all, a, b, seen, *best.garment);
     seam.length_a = best.all.edges[u(a)].length;
     seam.length_b = best.all.edges[u(b)].length;
     seam.confidence = 1 - .5 * std::exp(-margin[u(a)] / 2);
