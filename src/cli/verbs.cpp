@@ -2,6 +2,8 @@
 
 namespace toile {
 
-std::vector<Verb> add_verbs(CLI::App& app) { return {add_run(app), add_drape(app), add_edit(app), add_grade(app)}; }
+std::vector<Verb> add_verbs(CLI::App& app) {
+  return {add_run(app), add_drape(app), add_edit(app), add_grade(app), add_bench(app)};
+}
 
 }  // namespace toile

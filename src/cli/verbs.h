@@ -22,5 +22,6 @@ Verb add_run(CLI::App& app);
 Verb add_drape(CLI::App& app);
 Verb add_edit(CLI::App& app);
 Verb add_grade(CLI::App& app);
+Verb add_bench(CLI::App& app);
 
 }  // namespace toile

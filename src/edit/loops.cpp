@@ -159,6 +159,12 @@ NamedLoops resolve_loops(const EditInput& input, const std::string& name, const 
     edges.insert(edges.end(), more.begin(), more.end());
     if (more.empty() && !unknown) unknown = part;
   }
+  // Edges called "waist" of a pattern with darts there do not close; its height is what is meant then.
+  if (!unknown && input.body.form.landmarks.count(name)) try {
+      closed_chains(input.pattern, input.garment, input.drape, edges, place, name);
+    } catch (const BadInput&) {
+      return loops_at(input, *level_named(input, name, place), name, place, side);
+    }
   if (!unknown) {
     const auto loops = closed_chains(input.pattern, input.garment, input.drape, edges, place, name);
     const auto round = name == "hem" ? round_trunk_or_legs(input, loops) : loops;

@@ -18,11 +18,12 @@ struct NamedLoops {
 };
 
 // The closed loops that `name` means, one or several (both legs' hems), none sharing a vertex with itself:
-//  "hem"              the edges with that id round trunk or legs; failing that, the lowest free boundary round trunk or legs
-//  "waist"            the edges with that id; failing that, the highest free boundary round the trunk; failing that, the
-//  landmark "side", "gore.hem", "gore:3.hem", "front.e2,back.e0"    edges of the pattern that close through their seams "hip"
-//  a landmark of the body: the loop of mesh edges nearest to that height, round trunk or legs "spine_low:0.4"    that share of
-//  a bone: level there for upright bones, across the bone for others
+// - "hem": the edges with that id round trunk or legs; failing that, the lowest free boundary round trunk or legs;
+// - "waist": the edges with that id; failing that, the highest free boundary round the trunk; failing that, the landmark;
+// - "side", "gore.hem", "gore:3.hem", "front.e2,back.e0": edges of the pattern that close through their seams; edges with the
+//   name of a landmark that do not close mean the landmark;
+// - "hip": a landmark of the body: the loop of mesh edges nearest to that height, round trunk or legs;
+// - "spine_low:0.4": that share of a bone: level there for upright bones, across the bone for others.
 // `place` is for messages ("edit 'length', loop"); `side` is of the plane of a level. Throws BadInput: edit.unknown-loop
 // listing the names there are, edit.open-chain, edit.no-loop-there when the garment has no closed loop at a level that exists.
 NamedLoops resolve_loops(const EditInput& input, const std::string& name, const std::string& place,

@@ -91,6 +91,16 @@ TEST(Loops, SayWhereAChainIsOpen) {
 
 TEST(Loops, SayWhereAChainBranches) { EXPECT_EQ(named().finding("hem,gore:1.side_left").code, "edit.open-chain"); }
 
+TEST(Loops, EdgesCalledLikeALandmarkThatDoNotCloseMeanTheLandmark) {
+  Scene scene(true);
+  const NamedLoops level = scene.loops("hip");
+  for (Edge& edge : scene.skirt.pattern.pieces.front().outline)
+    if (edge.id == "side_left" || edge.id == "hem") edge.id = "hip";
+  const NamedLoops loops = scene.loops("hip");
+  EXPECT_EQ(loops.loops, level.loops);
+  EXPECT_TRUE(loops.level.has_value());
+}
+
 TEST(Loops, OfALevelStayWithinHalfAnEdge) {
   const SyntheticSkirt& skirt = named().skirt;
   double longest = 0;

@@ -1,0 +1,20 @@
+#pragma once
+// The verb `toile bench`: the paper's Table 1 on our own samples.
+
+#include <string>
+
+#include "cli/run.h"
+
+namespace toile {
+
+struct BenchOptions : RunOptions {
+  std::string table = "table1";
+  std::string rows;  // names separated by commas; empty: all
+};
+
+// Runs the rows, each into a folder of its own, and writes table1.csv, table1.txt, stretch.png and hausdorff.png; prints the
+// table. A row that cannot be run is said so in the table. Returns exit_checks_failed when one could not, else exit_ok. Throws
+// BadInput.
+int bench(const BenchOptions& options);
+
+}  // namespace toile
