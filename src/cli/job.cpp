@@ -112,7 +112,9 @@ void load(Job& job, Progress& progress) {
   const InputFiles files = input_files(job.recipe_file, recipe);
   job.scene.find_body = body_finder(job, files);
   check_written(recipe.edits, job.scene.find_body);
-  job.pattern = take(read_pattern(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
+  PatternFile read = take(read_pattern_file(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
+  job.pattern = std::move(read.pattern);
+  job.came_draped = std::move(read.drape);
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
                     "Write a seams file beside it: " + recipe.pattern.file.stem().string() + ".seams.toml"});
@@ -129,8 +131,12 @@ void load(Job& job, Progress& progress) {
 void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start) {
   const auto& [simulator, edge_length, tolerance] = job.recipe.drape;
   progress.begin("drape");
-  job.worn = start ? wear_from(job.pattern, job.scene, edge_length, tolerance, *start, control)
-                   : wear(job.pattern, job.scene, edge_length, tolerance, control);
+  if (start)
+    job.worn = wear_from(job.pattern, job.scene, edge_length, tolerance, *start, control);
+  else if (!job.came_draped.empty())
+    job.worn = wear_draped(job.pattern, job.came_draped.front(), job.scene, edge_length, tolerance, control);
+  else
+    job.worn = wear(job.pattern, job.scene, edge_length, tolerance, control);
   add(job, job.worn.report);
   name_stuck_picture(job.stuck, job.findings);
   char words[128];

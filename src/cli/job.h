@@ -9,6 +9,7 @@
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "garment/cut_sheet.h"
+#include "garment/pattern_file.h"
 #include "measure/girth_table.h"
 #include "measure/tailoring.h"
 #include "workbench/workbench.h"
@@ -26,6 +27,7 @@ struct Job {
   Recipe recipe;
   std::vector<InputHash> inputs;
   Pattern pattern;  // as read
+  std::vector<DrapedGarment> came_draped;  // with the pattern: one, or none
   Scene scene;
   std::optional<Fabric> new_fabric;  // that the new pattern is cut from, when it is another
   StuckDressing stuck;
@@ -46,7 +48,7 @@ struct Job {
 
 // Reads what the recipe names. Throws BadInput.
 void load(Job& job, Progress& progress);
-// The source drape: dressed and settled, or settled from `start` (3 x garment vertices).
+// The source drape: dressed and settled, or settled from `start` (3 x garment vertices) or `came_draped`.
 void drape(Job& job, Progress& progress, DrapeControl control, const Eigen::Matrix3Xd* start = nullptr);
 // The recipe's edits, and its replica.
 void make_target(Job& job, Progress& progress);

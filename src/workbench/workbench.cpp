@@ -8,6 +8,7 @@
 #include "garment/units.h"
 #include "triangulate/hems.h"
 #include "triangulate/triangulate.h"
+#include "workbench/carried_drape.h"
 #include "workbench/stretch.h"
 
 namespace toile {
@@ -171,6 +172,12 @@ Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, d
 
 const Pattern& edited_pattern(const Worn& worn, const Target& target) {
   return target.pattern ? *target.pattern : worn.pattern;
+}
+
+Worn wear_draped(const Pattern& pattern, const DrapedGarment& draped, const Scene& scene, double edge_length, double tolerance,
+                 const DrapeControl& control) {
+  const GarmentMesh garment = sew(pattern, triangulate(pattern, {.edge_length = edge_length}));
+  return wear_from(pattern, scene, edge_length, tolerance, carried_drape(draped, garment, scene.body), control);
 }
 
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {

@@ -14,6 +14,7 @@
 #include "drape/simulator.h"
 #include "garment/fabric.h"
 #include "garment/pattern.h"
+#include "garment/pattern_file.h"
 #include "garment/target.h"
 #include "workbench/recipe.h"
 
@@ -58,6 +59,10 @@ Worn wear(const Pattern& pattern, const Scene& scene, double edge_length, double
 // BadInput("drape.other-garment") when it has another number of vertices.
 Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, double tolerance, const Eigen::Matrix3Xd& start,
                const DrapeControl& control = {});
+
+// The same from the drape that the pattern came with (garment/pattern_file.h), on other triangles of the same pieces.
+Worn wear_draped(const Pattern& pattern, const DrapedGarment& draped, const Scene& scene, double edge_length, double tolerance,
+                 const DrapeControl& control = {});
 
 // Every edit of the recipe in turn, on the drape; after a grading on the target's body, which the scene has to have for what
 // follows. Throws BadInput with the recipe's place.
