@@ -36,8 +36,8 @@ const PatternFormat formats[] = {
        return in_file("DXF", read_dxf_aama(file, options.unit_in_metres));
      }},
     {"GarmentCode JSON", ".json", looks_like_json,
-     [](const std::filesystem::path& file, const PatternReadOptions&) {
-       return in_file("GarmentCode", read_garmentcode(file));
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_garmentcode_file(file, options.unit_in_metres);
      }},
     {"OBJ with the pattern as texture coordinates", ".obj", [](std::string_view) { return false; },
      [](const std::filesystem::path& file, const PatternReadOptions& options) {

@@ -51,6 +51,8 @@ void write_dxf_aama(const std::filesystem::path& file, const CutSheet& sheet);
 Pattern as_named_in_dxf(Pattern pattern, const CutSheet& sheet);
 // Seams sidecar for a pattern written as DXF.
 void write_seams(const std::filesystem::path& file, const Pattern& pattern);
+// GarmentCode specification (formats/garmentcode). The report has what the format cannot hold.
+Report write_garmentcode(const std::filesystem::path& file, const Pattern& pattern);
 // Cut sheet in mm.
 void write_svg(const std::filesystem::path& file, const CutSheet& sheet);
 // A drape: v in metres, vt = rest shape in metres, one group per panel.

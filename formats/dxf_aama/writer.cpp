@@ -8,6 +8,7 @@
 #include "formats/dxf_aama/dxf_aama.h"
 #include "formats/dxf_aama/layers.h"
 #include "formats/dxf_aama/piece_names.h"
+#include "formats/dxf_aama/profiles.h"
 #include "formats/formats.h"
 #include "garment/units.h"
 
@@ -48,7 +49,7 @@ std::vector<Marked> sew_line(const CutPiece& cut) {
 
 class PieceWriter {
  public:
-  PieceWriter(std::string& out, const CutPiece& cut) : out_(out), cut_(cut) {}
+  PieceWriter(std::string& out, const CutPiece& cut, const DxfProfile& profile) : out_(out), cut_(cut), profile_(profile) {}
 
   void write(const std::string& name, const std::string& block) {
     const Piece& piece = cut_.piece;
@@ -63,10 +64,13 @@ class PieceWriter {
     text_at_ = middle(sew);
     text("Piece Name", name);
     if (!cut_.size.empty()) text("Size", cut_.size);
-    text("Quantity",
-         std::to_string(piece.quantity) + (piece.mirrored_quantity > 0 ? "," + std::to_string(piece.mirrored_quantity) : ""));
+    const bool pair = profile_.pair_quantity || piece.mirrored_quantity > 0;
+    text("Quantity", std::to_string(piece.quantity) + (pair ? "," + std::to_string(piece.mirrored_quantity) : ""));
     if (!piece.material.empty()) text("Material", piece.material);
     for (const std::string& annotation : piece.annotations) text("Annotation", annotation);
+    if (profile_.plotted_text)
+      for (const std::string& annotation : piece.annotations)
+        dxf::put_text(out_, number_of(Role::plotted_text), text_at_, text_height, aama::ascii(annotation));
 
     ring(number_of(Role::cut_line), cut);
     // Where the cut line runs on the sew line, the sew line's points say what is a corner.
@@ -77,8 +81,19 @@ class PieceWriter {
     ring(number_of(Role::sew_line), sew);
     marks(sew, [](const Marked&) { return true; });
     for (const CutNotch& notch : cut_.notches) write(notch);
-    if (piece.grainline) dxf::put_line(out_, number_of(Role::grain_line), mm(piece.grainline->from), mm(piece.grainline->to));
-    for (const InternalLine& line : piece.internal_lines) write(line);
+    if (piece.grainline) {
+      if (profile_.grade_reference)
+        dxf::put_line(out_, number_of(Role::grade_reference), mm(piece.grainline->from), mm(piece.grainline->to));
+      dxf::put_line(out_, number_of(Role::grain_line), mm(piece.grainline->from), mm(piece.grainline->to));
+    }
+    for (const InternalLine& line : piece.internal_lines)
+      write(line, number_of(line.cut_out ? Role::cut_out : Role::internal_line));
+    if (profile_.dense) {
+      ring(number_of(Role::dense_cut_line), cut);
+      for (const InternalLine& line : piece.internal_lines)
+        write(line, number_of(line.cut_out ? Role::dense_cut_out : Role::dense_internal_line));
+      ring(number_of(Role::dense_sew_line), sew);
+    }
     for (const DrillHole& hole : piece.drill_holes) {
       point(number_of(Role::drill_hole), mm(hole.at));
       if (hole.diameter > 0) dxf::put_number(out_, 30, hole.diameter * mm_per_m);
@@ -121,7 +136,7 @@ class PieceWriter {
   }
 
   void write(const CutNotch& notch) {
-    point(aama::notch_layer(notch.notch.kind), mm(notch.at));
+    point(aama::notch_layer(profile_.plain_notches ? NotchKind::slit : notch.notch.kind), mm(notch.at));
     dxf::put_number(out_, 30, notch.notch.depth * mm_per_m);
     if (notch.notch.width > 0) dxf::put_number(out_, 39, notch.notch.width * mm_per_m);
     double degrees = std::atan2(notch.direction.y(), notch.direction.x()) / units::degree;
@@ -129,9 +144,8 @@ class PieceWriter {
     dxf::put_number(out_, 50, degrees);
   }
 
-  void write(const InternalLine& line) {
+  void write(const InternalLine& line, std::string_view layer) {
     if (line.points.size() < 2) return;
-    const std::string_view layer = number_of(line.cut_out ? Role::cut_out : Role::internal_line);
     const bool closed = line.points.size() > 3 && line.points.front() == line.points.back();
     Vertices vertices;
     for (const Eigen::Vector2d& p : line.points) vertices.push_back(mm(p));
@@ -144,6 +158,7 @@ class PieceWriter {
 
   std::string& out_;
   const CutPiece& cut_;
+  const DxfProfile& profile_;
   Eigen::Vector2d text_at_ = Eigen::Vector2d::Zero();
 };
 
@@ -159,9 +174,13 @@ void check(const CutPiece& cut) {
 
 }  // namespace
 
-std::string dxf_aama_bytes(const CutSheet& sheet) {
+std::string dxf_bytes(const CutSheet& sheet, const DxfProfile& profile, const std::string& rules) {
   std::string out;
   dxf::put_section(out, "HEADER");
+  if (!profile.version.empty()) {
+    dxf::put(out, 9, "$ACADVER");
+    dxf::put(out, 1, profile.version);
+  }
   dxf::put_section_end(out);
 
   const std::vector<aama::NamedPiece> pieces = aama::named_pieces(sheet);
@@ -171,7 +190,7 @@ std::string dxf_aama_bytes(const CutSheet& sheet) {
     check(*piece);
     const std::string full = piece->size.empty() ? name : name + "_" + piece->size;
     blocks.push_back(aama::unique_name(aama::block_name(full), taken, 31));
-    PieceWriter(out, *piece).write(name, blocks.back());
+    PieceWriter(out, *piece, profile).write(name, blocks.back());
   }
   dxf::put_section_end(out);
 
@@ -182,9 +201,16 @@ std::string dxf_aama_bytes(const CutSheet& sheet) {
     at.y() -= text_spacing;
   };
   style_text("Style Name", sheet.title);
-  style_text("Author", "Toile");
+  if (profile.astm) {
+    style_text("ASTM/D13Proposal 1 Version", "D6673-10");
+    style_text("Author", "Toile ; TOILE ; 1");
+    style_text("Curve Tolerance", "0.05");
+  } else {
+    style_text("Author", "Toile");
+  }
   style_text("Product", "TOILE");
   if (!pieces.empty() && !pieces.front().piece->size.empty()) style_text("Sample Size", pieces.front().piece->size);
+  if (!rules.empty()) style_text("Grade Rule Table", rules);
   style_text("Units", "METRIC");
   for (const std::string& note : sheet.notes) style_text("Annotation", note);
   for (const std::string& block : blocks) dxf::put_insert(out, number_of(Role::cut_line), block);
@@ -192,6 +218,8 @@ std::string dxf_aama_bytes(const CutSheet& sheet) {
   dxf::put(out, 0, "EOF");
   return out;
 }
+
+std::string dxf_aama_bytes(const CutSheet& sheet) { return dxf_bytes(sheet, dxf_profiles[0]); }
 
 void write_dxf_aama(const std::filesystem::path& file, const CutSheet& sheet) { write_whole_file(file, dxf_aama_bytes(sheet)); }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "formats/formats.h"
 #include "formats/garmentcode/panel.h"
@@ -40,16 +42,18 @@ const Json* inside(const Json* node, const char* key) {
   return found == node->end() ? nullptr : &*found;
 }
 
-std::optional<GarmentCodeUnits> read_units(const Json& root, const std::string& file, Report& report) {
+std::optional<GarmentCodeUnits> read_units(const Json& root, std::optional<double> unit_in_metres, const std::string& file,
+                                           Report& report) {
   GarmentCodeUnits units;
   const Json* properties = inside(&root, "properties");
   const Json* per_metre = inside(properties, "units_in_meter");
-  if (!per_metre || !per_metre->is_number() || !(per_metre->get<double>() > 0)) {
+  const bool said = per_metre && per_metre->is_number() && per_metre->get<double>() > 0;
+  if (!said && !unit_in_metres) {
     report.error("garmentcode.units", file, "properties.units_in_meter does not say how many units make a metre",
-                 "Add it: 100 for a pattern drawn in centimetres", Fault::ambiguous);
+                 "Add it: 100 for a pattern drawn in centimetres; or say --units cm", Fault::ambiguous);
     return std::nullopt;
   }
-  units.metres = 1 / per_metre->get<double>();
+  units.metres = unit_in_metres ? *unit_in_metres : 1 / per_metre->get<double>();
   const Json* curves = inside(properties, "curvature_coords");
   if (curves && *curves == "absolute") {
     units.relative_curves = false;
@@ -59,6 +63,29 @@ std::optional<GarmentCodeUnits> read_units(const Json& root, const std::string& 
     return std::nullopt;
   }
   return units;
+}
+
+// What is in the file and not in the value.
+void say_unknown_keys(const Json& root, const Json& spec, const std::string& file, Report& report) {
+  std::set<std::string> unknown;
+  const auto look = [&](const Json& node, const std::string& where, std::initializer_list<const char*> known) {
+    if (!node.is_object()) return;
+    for (const auto& member : node.items())
+      if (std::find(known.begin(), known.end(), member.key()) == known.end()) unknown.insert(where + member.key());
+  };
+  look(root, "", {"pattern", "properties", "parameters", "parameter_order", "constraints", "constraint_order"});
+  look(spec, "pattern.", {"panels", "stitches", "panel_order"});
+  if (const Json* properties = inside(&root, "properties"))
+    look(*properties, "properties.",
+         {"units_in_meter", "curvature_coords", "normalize_panel_translation", "normalized_edge_loops"});
+  for (const Json& panel : *inside(&spec, "panels")) {
+    look(panel, "panel.", {"vertices", "edges", "translation", "rotation", "label"});
+    if (const Json* edges = inside(&panel, "edges"))
+      for (const Json& edge : *edges) look(edge, "edge.", {"endpoints", "curvature", "label"});
+  }
+  std::string names;
+  for (const std::string& key : unknown) names += (names.empty() ? "" : ", ") + key;
+  if (!names.empty()) report.note("garmentcode.unknown-keys", file, "left aside, because nothing is known of it: " + names);
 }
 
 // The file's own order where it gives one; what that leaves out follows by name.
@@ -134,10 +161,19 @@ std::string name_of(const std::filesystem::path& file) {
   return name;
 }
 
+FileUnits units_of(const GarmentCodeUnits& units, bool overridden) {
+  const char* name = "";
+  for (const auto& [known, metres] :
+       {std::pair("m", 1.), std::pair("cm", 1e-2), std::pair("mm", 1e-3), std::pair("inch", .0254)})
+    if (std::abs(units.metres / metres - 1) < 1e-9) name = known;
+  return {name, units.metres, overridden ? "override" : "format"};
+}
+
 }  // namespace
 
-Loaded<Pattern> read_garmentcode(const std::string& text, const std::filesystem::path& path) {
-  Loaded<Pattern> out;
+Loaded<PatternFile> read_garmentcode_text(const std::string& text, const std::filesystem::path& path,
+                                          std::optional<double> unit_in_metres) {
+  Loaded<PatternFile> out;
   const std::string file = path.filename().string();
   const auto root = parse(text, file, out.report);
   if (!root) return out;
@@ -147,19 +183,41 @@ Loaded<Pattern> read_garmentcode(const std::string& text, const std::filesystem:
     out.report.error("garmentcode.missing", file, "there is no pattern.panels", "Give a GarmentCode pattern specification");
     return out;
   }
-  const auto units = read_units(*root, file, out.report);
+  const auto units = read_units(*root, unit_in_metres, file, out.report);
   if (!units) return out;
-  Pattern pattern;
+  PatternFile made;
+  made.format = "GarmentCode";
+  made.units = units_of(*units, unit_in_metres.has_value());
+  Pattern& pattern = made.pattern;
   pattern.name = name_of(path);
   for (const std::string& name : panel_names(*spec, *panels))
     if (auto piece = read_panel((*panels)[name], name, *units, file, out.report)) pattern.pieces.push_back(std::move(*piece));
   if (!out.report.ok()) return out;
-  if (const Json* stitches = inside(spec, "stitches")) read_stitches(*stitches, pattern, file, out.report);
+  const Json* stitches = inside(spec, "stitches");
+  if (stitches)
+    read_stitches(*stitches, pattern, file, out.report);
+  else
+    out.report.warn("garmentcode.no-stitches", file, "there is no pattern.stitches: nothing is sewn",
+                    "Export the whole pattern, or write what is sewn to what to a seams file beside it");
   if (!out.report.ok()) return out;
+  say_unknown_keys(*root, *spec, file, out.report);
   out.report.note("garmentcode.grain", file,
                   "the format knows no grain line; the grain is taken along the y axis of each panel");
-  out.value = std::move(pattern);
+  for (const Piece& piece : pattern.pieces) made.facts.push_back({piece.name, true, "panel", false, 0});
+  out.value = std::move(made);
   return out;
+}
+
+Loaded<PatternFile> read_garmentcode_file(const std::filesystem::path& file, std::optional<double> unit_in_metres) {
+  const auto bytes = read_whole_file(file);
+  if (!bytes.value) return {std::nullopt, bytes.report};
+  return read_garmentcode_text(*bytes.value, file, unit_in_metres);
+}
+
+Loaded<Pattern> read_garmentcode(const std::string& text, const std::filesystem::path& file) {
+  Loaded<PatternFile> read = read_garmentcode_text(text, file);
+  if (!read.value) return {std::nullopt, std::move(read.report)};
+  return {std::move(read.value->pattern), std::move(read.report)};
 }
 
 Loaded<Pattern> read_garmentcode(const std::filesystem::path& file) {

@@ -179,6 +179,7 @@ void show_outside(Piece& piece) {
   if (signed_area(piece) > 0) return;
   for (Edge& edge : piece.outline)
     for (OutlinePoint& point : edge.points) point.at.x() = -point.at.x();
+  if (piece.placement.empty()) return;
   Placement& placement = *piece.placement[0];
   placement.rotation = placement.rotation * Eigen::Vector3d(-1, 1, -1).asDiagonal();
 }
@@ -196,9 +197,16 @@ std::optional<Piece> read_panel(const Json& panel, const std::string& name, cons
     take_labels(panel["edges"], piece.outline);
     if (std::abs(signed_area(piece)) < shortest_edge * shortest_edge)
       throw Wrong{"garmentcode.no-area", place, "the panel encloses no area", "Check its vertices"};
-    const Eigen::Vector3d rotation = numbers<3>(member(panel, "rotation", place), "'rotation'", place);
-    const Eigen::Vector3d translation = numbers<3>(member(panel, "translation", place), "'translation'", place);
-    piece.placement = {Placement{turned(rotation), units.metres * translation}};
+    const bool placed = panel.contains("rotation") && panel.contains("translation");
+    if (placed) {
+      const Eigen::Vector3d rotation = numbers<3>(panel["rotation"], "'rotation'", place);
+      const Eigen::Vector3d translation = numbers<3>(panel["translation"], "'translation'", place);
+      piece.placement = {Placement{turned(rotation), units.metres * translation}};
+    } else {
+      report.warn("garmentcode.no-placement", place,
+                  "nothing says where the panel hangs: 'rotation' or 'translation' is missing",
+                  "Say where its piece sits on the body in a seams file beside the pattern");
+    }
     show_outside(piece);
     return piece;
   } catch (const Wrong& wrong) {
