@@ -1,0 +1,149 @@
+#include "pairing/places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+std::size_t u(int i) { return static_cast<std::size_t>(i); }
+
+enum class Hand { unknown, left, right };
+
+Hand other(Hand hand) { return hand == Hand::left ? Hand::right : hand == Hand::right ? Hand::left : Hand::unknown; }
+
+const PieceName& name_of(const Attempt& attempt, int panel) { return attempt.names[u(attempt.all.panels[u(panel)].piece)]; }
+
+// Which side of the wearer an edge of a piece of this face looks to, seen from outside.
+Hand looks_to(const std::string& face, double outward_x) {
+  if (std::abs(outward_x) < .2 || (face != "front" && face != "back")) return Hand::unknown;
+  return (face == "front") == (outward_x > 0) ? Hand::left : Hand::right;
+}
+
+std::vector<Hand> hands_of(const Attempt& attempt) {
+  const PanelEdges& all = attempt.all;
+  const Mates& mates = attempt.found.mates;
+  std::vector<Hand> hands(all.panels.size(), Hand::unknown);
+  const int count = static_cast<int>(all.panels.size());
+  for (int p = 0; p < count; ++p) {
+    const std::string& said = name_of(attempt, p).hand;
+    if (!said.empty()) hands[u(p)] = said == "left" ? Hand::left : Hand::right;
+  }
+  // Halves: the seam to the mirror image runs down the middle.
+  for (int a = 0; a < static_cast<int>(mates.size()); ++a) {
+    const int b = mates[u(a)];
+    const int panel = all.edges[u(a)].panel;
+    if (b < 0 || attempt.problem.image[u(a)] != b || all.edges[u(b)].panel == panel || hands[u(panel)] != Hand::unknown)
+      continue;
+    hands[u(panel)] = other(looks_to(name_of(attempt, panel).face, all.edges[u(a)].outward.x()));
+  }
+  // Sleeves, cuffs and legs are of the side they are sewn to.
+  for (int round = 0; round < count; ++round)
+    for (int p = 0; p < count; ++p) {
+      if (hands[u(p)] != Hand::unknown) continue;
+      double left = 0, right = 0;
+      bool whole = false;
+      for (int a = 0; a < static_cast<int>(mates.size()); ++a) {
+        const int b = mates[u(a)];
+        if (b < 0 || all.edges[u(a)].panel != p || all.edges[u(b)].panel == p) continue;
+        const int q = all.edges[u(b)].panel;
+        Hand hand = hands[u(q)];
+        if (hand == Hand::unknown && name_of(attempt, q).role != name_of(attempt, p).role)
+          hand = looks_to(name_of(attempt, q).face, all.edges[u(b)].outward.x());
+        if (hand == Hand::unknown) whole = true;
+        (hand == Hand::left ? left : right) += hand == Hand::unknown ? 0 : all.edges[u(a)].length;
+      }
+      const bool own_image = attempt.problem.image[u(all.panels[u(p)].first)] >= 0 &&
+                             all.edges[u(attempt.problem.image[u(all.panels[u(p)].first)])].panel == p;
+      if (own_image || (whole && left + right == 0)) continue;
+      if (left > 2 * right) hands[u(p)] = Hand::left;
+      if (right > 2 * left) hands[u(p)] = Hand::right;
+    }
+  return hands;
+}
+
+// Panels of one role that go round the body without front or back, each sewn to the next on its wearer's left (seen from
+// outside: on its right), beginning with the lowest number.
+std::vector<int> ring_of(const Attempt& attempt, int role) {
+  const PanelEdges& all = attempt.all;
+  std::vector<int> ring, members;
+  for (int p = 0; p < static_cast<int>(all.panels.size()); ++p)
+    if (name_of(attempt, p).role == role && name_of(attempt, p).face.empty()) members.push_back(p);
+  std::stable_sort(members.begin(), members.end(),
+                   [&](int a, int b) { return name_of(attempt, a).number < name_of(attempt, b).number; });
+  int at = members.empty() ? -1 : members.front();
+  while (at >= 0 && std::find(ring.begin(), ring.end(), at) == ring.end()) {
+    ring.push_back(at);
+    int next = -1;
+    double longest = 0;
+    for (int a = 0; a < static_cast<int>(all.edges.size()); ++a) {
+      const int b = attempt.found.mates[u(a)];
+      if (all.edges[u(a)].panel != at || b < 0 || all.edges[u(a)].outward.x() < .5 || all.edges[u(a)].length < longest)
+        continue;
+      if (std::find(members.begin(), members.end(), all.edges[u(b)].panel) == members.end()) continue;
+      longest = all.edges[u(a)].length;
+      next = all.edges[u(b)].panel;
+    }
+    at = next;
+  }
+  return ring.size() == members.size() ? ring : std::vector<int>{};
+}
+
+double within_turn(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+std::optional<BodyPart> part_of_body(const Attempt& attempt, int panel, Hand hand) {
+  const PieceName& name = name_of(attempt, panel);
+  if (name.role < 0) return std::nullopt;
+  const PieceRole& role = attempt.garment->roles[u(name.role)];
+  const auto fits = [&](const std::string& face) {
+    return std::find_if(role.places.begin(), role.places.end(), [&](const RolePlace& place) { return place.face == face; });
+  };
+  auto place = fits(name.face);
+  if (place == role.places.end()) place = fits("");
+  if (place == role.places.end()) return std::nullopt;
+  BodyPart at = place->at;
+  const bool limb = at.part == "arm" || at.part == "leg";
+  if (hand == Hand::unknown) return limb ? std::nullopt : std::optional(at);
+  at.angle += place->half;
+  if (hand == Hand::right) at.angle = -at.angle;
+  at.angle = within_turn(at.angle);
+  if (limb) at.part += hand == Hand::left ? ".L" : ".R";
+  return at;
+}
+
+}  // namespace
+
+std::vector<std::string> place_on_body(const Attempt& attempt, Pattern& pattern) {
+  const std::vector<Hand> hands = hands_of(attempt);
+  for (int p = 0; p < static_cast<int>(attempt.all.panels.size()); ++p) {
+    const Panel& panel = attempt.all.panels[u(p)];
+    Piece& piece = pattern.pieces[u(panel.piece)];
+    piece.body_part.resize(u(copies(piece)));
+    piece.body_part[u(panel.copy - 1)] = part_of_body(attempt, p, hands[u(p)]);
+  }
+  for (int r = 0; r < static_cast<int>(attempt.garment->roles.size()); ++r) {
+    const std::vector<int> ring = ring_of(attempt, r);
+    if (ring.size() < 2) continue;
+    const double step = 2 * std::numbers::pi / static_cast<double>(ring.size());
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Panel& panel = attempt.all.panels[u(ring[k])];
+      auto& at = pattern.pieces[u(panel.piece)].body_part[u(panel.copy - 1)];
+      if (at && at->part == "trunk") at->angle = within_turn(-std::numbers::pi / 2 + (static_cast<double>(k) + .5) * step);
+    }
+  }
+  std::vector<std::string> unplaced;
+  for (const Piece& piece : pattern.pieces) {
+    const auto known =
+        std::count_if(piece.body_part.begin(), piece.body_part.end(), [](const auto& at) { return at.has_value(); });
+    const bool in_space = !piece.placement.empty() && std::all_of(piece.placement.begin(), piece.placement.end(),
+                                                                  [](const auto& at) { return at.has_value(); });
+    if (!in_space && known < copies(piece)) unplaced.push_back(piece.name);
+  }
+  return unplaced;
+}
+
+}  // namespace toile
