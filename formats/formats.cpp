@@ -22,19 +22,9 @@ bool looks_like_json(std::string_view bytes) {
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
-Loaded<PatternFile> in_file(std::string format, Loaded<Pattern> loaded) {
-  if (!loaded.value) return {std::nullopt, std::move(loaded.report)};
-  PatternFile file;
-  file.format = std::move(format);
-  file.pattern = std::move(*loaded.value);
-  return {std::move(file), std::move(loaded.report)};
-}
-
 const PatternFormat formats[] = {
     {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf,
-     [](const std::filesystem::path& file, const PatternReadOptions& options) {
-       return in_file("DXF", read_dxf_aama(file, options.unit_in_metres));
-     }},
+     read_dxf_pattern},
     {"GarmentCode JSON", ".json", looks_like_json,
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_garmentcode_file(file, options.unit_in_metres);

@@ -12,6 +12,7 @@
 
 namespace toile::dxf {
 
+// Circles, arcs, ellipses and splines are polylines too: see read_drawing.
 enum class Kind { line, point, text, polyline, insert, other };
 
 struct Entity {
@@ -21,6 +22,8 @@ struct Entity {
   int line = 0;                         // of the file
   std::vector<Eigen::Vector2d> points;  // LINE two; POINT, TEXT and INSERT one; a polyline any number
   std::vector<double> bulges;           // of a polyline: tan(angle / 4) of the arc from each vertex to the next, 0 straight
+  int degree = 0;                       // of a spline, whose control points `points` are; 0: no spline
+  std::vector<double> knots, weights;   // of a spline; weights empty: all 1
   bool closed = false;                  // the polyline's flag; a repeated vertex is not looked for
   std::string text;                     // TEXT: what it says; INSERT: the block's name
   std::optional<double> z, thickness, angle;        // groups 30, 39, 50 (degrees)
@@ -41,13 +44,14 @@ struct Drawing {
   std::vector<Entity> entities;
 };
 
-// Reads HEADER variables, BLOCKS and ENTITIES; other sections are passed over. Entities other than LINE, POINT, TEXT, MTEXT,
-// POLYLINE, LWPOLYLINE and INSERT keep their type and layer only (Kind::other). Errors: those of read_tags, "dxf.truncated" (a
-// section, block or polyline is not ended), "dxf.not-a-number" (a coordinate is no finite number), "dxf.broken-tag". Warning
-// "dxf.no-eof".
+// Reads HEADER variables, BLOCKS and ENTITIES; other sections are passed over. ARC and CIRCLE become polylines with bulges,
+// ELLIPSE and SPLINE splines (kind polyline, type as in the file); any other entity keeps its type and layer only
+// (Kind::other). An extrusion that looks from below mirrors. Errors: those of read_tags, "dxf.truncated" (a section, block or
+// polyline is not ended), "dxf.not-a-number" (a coordinate is no finite number of at most 1e9), "dxf.incomplete-entity",
+// "dxf.broken-tag". Warning "dxf.no-eof".
 Loaded<Drawing> read_drawing(std::string_view bytes, const std::string& name);
 
-// The polyline's points with its arcs replaced by chords no farther than `chord` (file units) from them.
+// A polyline's points with its arcs or its spline replaced by chords no farther than `chord` (file units) from them.
 std::vector<Eigen::Vector2d> flattened(const Entity& polyline, double chord);
 
 }  // namespace toile::dxf

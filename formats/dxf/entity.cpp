@@ -3,13 +3,16 @@
 #include <limits>
 #include <utility>
 
+#include "formats/dxf/curve_entity.h"
+
 namespace toile::dxf {
 namespace {
 
 constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 constexpr std::pair<const char*, Kind> kinds[] = {
-    {"LINE", Kind::line},         {"POINT", Kind::point},         {"TEXT", Kind::text},     {"MTEXT", Kind::text},
-    {"POLYLINE", Kind::polyline}, {"LWPOLYLINE", Kind::polyline}, {"INSERT", Kind::insert}, {"VERTEX", Kind::point}};
+    {"LINE", Kind::line},         {"POINT", Kind::point},         {"TEXT", Kind::text},        {"MTEXT", Kind::text},
+    {"POLYLINE", Kind::polyline}, {"LWPOLYLINE", Kind::polyline}, {"INSERT", Kind::insert},    {"VERTEX", Kind::point},
+    {"ARC", Kind::polyline},      {"CIRCLE", Kind::polyline},     {"ELLIPSE", Kind::polyline}, {"SPLINE", Kind::polyline}};
 
 Kind kind_of(const std::string& type) {
   for (const auto& [word, kind] : kinds)
@@ -71,6 +74,9 @@ class EntityReader {
         if ((entity_.type == "LWPOLYLINE" || entity_.type == "VERTEX") && !entity_.bulges.empty())
           entity_.bulges.back() = value(tag);
         break;
+      case 230:
+        from_below_ = value(tag) < 0;
+        break;
       case 70:
         read_flags(tag);
         break;
@@ -80,6 +86,7 @@ class EntityReader {
   }
 
   void finish() {
+    if (from_below_ && entity_.kind != Kind::line && entity_.kind != Kind::point) mirror(entity_);
     if (entity_.kind == Kind::text || entity_.kind == Kind::insert)
       if (entity_.points.empty()) entity_.points.push_back(Eigen::Vector2d::Zero());
     bool complete = entity_.points.size() >= points_needed(entity_);
@@ -112,7 +119,8 @@ class EntityReader {
   void read_flags(const Tag& tag) {
     const int flags = whole_number(tag.value).value_or(0);
     if (entity_.kind == Kind::polyline) entity_.closed = (flags & 1) != 0;
-    if (entity_.type == "VERTEX" && (flags & 16) != 0) entity_.kind = Kind::other;  // control point of a spline fit
+    if (entity_.type == "POLYLINE" && (flags & (16 | 64)) != 0) entity_.kind = Kind::other;  // a mesh
+    if (entity_.type == "VERTEX" && (flags & 16) != 0) entity_.kind = Kind::other;           // control point of a spline fit
   }
   double value(const Tag& tag) {
     if (const std::optional<double> parsed = number(tag.value)) return *parsed;
@@ -127,10 +135,19 @@ class EntityReader {
   Entity& entity_;
   const std::string& name_;
   Report& report_;
-  bool failed_ = false;
+  bool failed_ = false, from_below_ = false;
 };
 
 }  // namespace
+
+void mirror(Entity& entity) {
+  for (Eigen::Vector2d& point : entity.points) point.x() = -point.x();
+  for (double& bulge : entity.bulges) bulge = -bulge;
+  if (entity.kind == Kind::insert) {
+    entity.scale.x() = -entity.scale.x();
+    entity.angle = -entity.angle.value_or(0);
+  }
+}
 
 Entity read_entity(std::span<const Tag> tags, const std::string& name, Report& report) {
   Entity entity;
@@ -141,6 +158,10 @@ Entity read_entity(std::span<const Tag> tags, const std::string& name, Report& r
   if (entity.kind == Kind::other) {
     for (const Tag& tag : tags)
       if (tag.code == 8) entity.layer = tag.value;
+    return entity;
+  }
+  if (is_curve(entity.type)) {
+    read_curve(tags, entity, name, report);
     return entity;
   }
   EntityReader reader(entity, name, report);

@@ -13,4 +13,7 @@ namespace toile::dxf {
 // one point, one bulge). Errors "dxf.not-a-number" and "dxf.incomplete-entity" go to `report`.
 Entity read_entity(std::span<const Tag> tags, const std::string& name, Report& report);
 
+// Mirrored in the y axis, as what is drawn with the extrusion (0, 0, -1).
+void mirror(Entity& entity);
+
 }  // namespace toile::dxf

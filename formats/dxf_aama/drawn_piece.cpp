@@ -1,17 +1,15 @@
 #include "formats/dxf_aama/drawn_piece.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "formats/dxf/explode.h"
 #include "formats/dxf/tags.h"
 #include "formats/dxf_aama/layers.h"
 #include "garment/units.h"
 
 namespace toile::aama {
 namespace {
-
-constexpr double arc_chord = 1e-4;  // m
 
 std::vector<Run>* runs_of(DrawnPiece& piece, Role role) {
   switch (role) {
@@ -25,6 +23,12 @@ std::vector<Run>* runs_of(DrawnPiece& piece, Role role) {
       return &piece.dense_sew;
     case Role::cut_out:
       return &piece.cut_outs;
+    case Role::dense_internal_line:
+      return &piece.dense_internal_lines;
+    case Role::dense_cut_out:
+      return &piece.dense_cut_outs;
+    case Role::grade_reference:
+      return &piece.grade_reference;
     case Role::grain_line:
       return &piece.grain;
     case Role::mirror_line:
@@ -39,18 +43,19 @@ std::vector<Run>* runs_of(DrawnPiece& piece, Role role) {
 
 class Sorter {
  public:
-  Sorter(DrawnPiece& piece, const Transform& to_metres, LeftOut& unknown_layers, LeftOut& unread)
-      : piece_(piece), to_metres_(to_metres), unknown_layers_(unknown_layers), unread_(unread) {}
+  Sorter(DrawnPiece& piece, const Transform& to_metres, Sorted& sorted)
+      : piece_(piece), to_metres_(to_metres), sorted_(sorted) {}
 
   void sort(const dxf::Entity& entity) {
     const Layer* layer = find_layer(entity.layer);
-    if (layer && !layer->read) return;
     const Role role = layer ? layer->role : Role::unknown;
     switch (entity.kind) {
       case dxf::Kind::line:
       case dxf::Kind::polyline:
         if (role == Role::notch)
           notch_line(entity, layer->notch);
+        else if (role == Role::drill_hole)
+          circle(entity);
         else
           run(entity, role);
         break;
@@ -61,67 +66,87 @@ class Sorter {
         text(entity, role);
         break;
       case dxf::Kind::insert:
-        ++unread_["INSERT inside a block"];
+        ++sorted_.unread["INSERT of block '" + entity.text + "'"];
         break;
       case dxf::Kind::other:
-        if (entity.type != "ATTDEF" && entity.type != "ATTRIB" && entity.type != "VERTEX")
-          ++unread_[entity.type + " on layer " + entity.layer];
+        ++(entity.type == "ATTDEF" || entity.type == "ATTRIB" ? sorted_.not_kept
+                                                              : sorted_.unread)[entity.type + " on layer " + entity.layer];
         break;
     }
   }
 
  private:
+  void not_kept(const dxf::Entity& entity) {
+    const Layer* layer = find_layer(entity.layer);
+    ++sorted_.not_kept[entity.type + " on layer " + entity.layer + (layer ? " (" + std::string(layer->name) + ")" : "")];
+  }
+
   void run(const dxf::Entity& entity, Role role) {
-    if (role == Role::unknown) ++unknown_layers_[entity.layer];
     std::vector<Run>* runs = runs_of(piece_, role);
-    if (!runs) return;
-    const double scale = std::sqrt(std::abs(to_metres_.linear.determinant()));
+    if (!runs) return not_kept(entity);
+    if (role == Role::unknown) ++sorted_.unknown_layers[entity.layer];
+    if (role == Role::grade_reference) not_kept(entity);  // used by grade rules alone
     Run drawn{{}, entity.closed, entity.line};
     for (const Eigen::Vector2d& p :
-         entity.kind == dxf::Kind::polyline ? dxf::flattened(entity, arc_chord / scale) : entity.points)
+         entity.kind == dxf::Kind::polyline ? dxf::flattened(entity, to_metres_.chord) : entity.points)
       drawn.points.push_back(to_metres_(p));
     runs->push_back(std::move(drawn));
   }
 
+  // A hole drawn as what is left of the cloth.
+  void circle(const dxf::Entity& entity) {
+    const Points<2>& p = entity.points;
+    if (entity.type != "CIRCLE" || p.size() < 4) return run(entity, Role::internal_line);
+    piece_.drill_holes.push_back(
+        {to_metres_((p[0] + p[p.size() / 2]) / 2), (to_metres_(p[p.size() / 2]) - to_metres_(p[0])).norm()});
+  }
+
   void point(const dxf::Entity& entity, Role role, const Layer* layer) {
     const Eigen::Vector2d at = to_metres_(entity.points.front());
-    if (role == Role::turn_point || role == Role::curve_point) piece_.points.push_back({at, role == Role::turn_point});
-    if (role == Role::drill_hole) piece_.drill_holes.push_back({at, std::abs(entity.z.value_or(0)) * to_metres_.unit});
-    if (role != Role::notch) return;
-    DrawnNotch notch{at,
-                     layer->notch,
-                     std::abs(entity.z.value_or(0)) * to_metres_.unit,
-                     std::abs(entity.thickness.value_or(0)) * to_metres_.unit,
-                     Eigen::Vector2d::Zero(),
-                     entity.line};
-    if (notch.kind == NotchKind::slit && notch.width > 0) notch.kind = NotchKind::v;
-    if (entity.angle) {
-      const double angle = *entity.angle * units::degree;
-      notch.direction = (to_metres_.linear * Eigen::Vector2d(std::cos(angle), std::sin(angle))).normalized();
+    if (role == Role::turn_point || role == Role::curve_point) {
+      piece_.points.push_back({at, role == Role::turn_point});
+    } else if (role == Role::drill_hole) {
+      piece_.drill_holes.push_back({at, std::abs(entity.z.value_or(0)) * to_metres_.unit});
+    } else if (role == Role::notch) {
+      DrawnNotch notch{at,
+                       layer->notch,
+                       std::abs(entity.z.value_or(0)) * to_metres_.unit,
+                       std::abs(entity.thickness.value_or(0)) * to_metres_.unit,
+                       Eigen::Vector2d::Zero(),
+                       entity.line};
+      if (notch.kind == NotchKind::slit && notch.width > 0) notch.kind = NotchKind::v;
+      if (entity.angle) {
+        const double angle = *entity.angle * units::degree;
+        notch.direction = (to_metres_.linear * Eigen::Vector2d(std::cos(angle), std::sin(angle))).normalized();
+      }
+      piece_.notches.push_back(notch);
+    } else {
+      not_kept(entity);
     }
-    piece_.notches.push_back(notch);
   }
 
   // Some writers draw a notch as a short line; which end is on the outline is found later.
   void notch_line(const dxf::Entity& entity, NotchKind kind) {
-    if (entity.points.size() < 2) return;
+    if (entity.points.size() < 2) return not_kept(entity);
     const Eigen::Vector2d a = to_metres_(entity.points.front());
     const Eigen::Vector2d b = to_metres_(entity.points.back());
-    if ((b - a).norm() == 0) return;
+    if ((b - a).norm() == 0) return not_kept(entity);
     piece_.notches.push_back({a, kind, (b - a).norm(), 0, (b - a).normalized(), entity.line});
     piece_.notches.back().from_line = true;
   }
 
   void text(const dxf::Entity& entity, Role role) {
     const Eigen::Vector2d at = to_metres_(entity.points.front());
-    if (const std::optional<int> rule = grade_rule(entity.text)) piece_.grade_rules.emplace_back(at, *rule);
+    if (const std::optional<int> rule = grade_rule(entity.text))
+      piece_.grade_rules.push_back({at, *rule, role});
+    else if (!is_piece_text(entity))
+      not_kept(entity);
     if (role == Role::internal_line && dxf::same_word(entity.text, "NM")) piece_.not_mirrored.push_back(at);
   }
 
   DrawnPiece& piece_;
   const Transform& to_metres_;
-  LeftOut& unknown_layers_;
-  LeftOut& unread_;
+  Sorted& sorted_;
 };
 
 }  // namespace
@@ -130,33 +155,31 @@ std::string DrawnPiece::place(std::optional<int> at_line) const {
   return file + ":" + std::to_string(at_line.value_or(line)) + ", piece '" + name + "'";
 }
 
-Transform transform_of(const dxf::Block& block, const std::vector<dxf::Entity>& entities, double unit) {
+Transform transform_of(const dxf::Block& block, const std::vector<dxf::Entity>& entities, double unit, double chord) {
   Transform transform;
   transform.unit = unit;
+  transform.chord = chord;
   const auto insert = std::find_if(entities.begin(), entities.end(),
                                    [&](const dxf::Entity& e) { return e.kind == dxf::Kind::insert && e.text == block.name; });
-  Eigen::Vector2d at = block.base;
   if (insert != entities.end()) {
-    const double angle = insert->angle.value_or(0) * units::degree;
-    Eigen::Matrix2d turn;
-    turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    const Eigen::Vector2d scale(insert->scale.x() != 0 ? insert->scale.x() : 1.0,
-                                insert->scale.y() != 0 ? insert->scale.y() : 1.0);
-    transform.linear = turn * scale.asDiagonal();
-    at = insert->points.front();
+    const dxf::Affine placed = dxf::placed_by(*insert, block);
+    transform.linear = placed.linear;
+    transform.shift = unit * placed.shift;
   }
-  transform.shift = unit * (at - transform.linear * block.base);
   transform.linear *= unit;
   return transform;
 }
 
-DrawnPiece sort_by_layer(const dxf::Block& block, const Transform& to_metres, LeftOut& unknown_layers, LeftOut& unread) {
+DrawnPiece sort_by_layer(const dxf::Block& block, const std::vector<dxf::Entity>& entities, const Transform& to_metres,
+                         Sorted& sorted) {
   DrawnPiece piece;
   piece.line = block.line;
-  piece.texts = piece_texts(block.entities);
+  piece.linear = to_metres.linear;
+  piece.unit = to_metres.unit;
+  piece.texts = piece_texts(entities);
   piece.tolerance = std::max(2e-5, 1e-3 * to_metres.unit);
-  Sorter sorter(piece, to_metres, unknown_layers, unread);
-  for (const dxf::Entity& entity : block.entities) sorter.sort(entity);
+  Sorter sorter(piece, to_metres, sorted);
+  for (const dxf::Entity& entity : entities) sorter.sort(entity);
   return piece;
 }
 

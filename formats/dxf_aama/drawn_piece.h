@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formats/dxf/drawing.h"
+#include "formats/dxf_aama/layers.h"
 #include "formats/dxf_aama/texts.h"
 #include "garment/pattern.h"
 #include "geometry/polyline.h"
@@ -36,18 +37,31 @@ struct DrawnNotch {
   bool from_line = false;  // drawn as a line: `at` may be either end of it
 };
 
+// A text "# 12": the points there move by rule 12 of the grade rule table.
+struct RuleMark {
+  Eigen::Vector2d at;
+  int rule = 0;
+  Role role = Role::turn_point;  // of the text's layer
+};
+
+// What was met and left out, for one finding each at the end: "SPLINE on layer 1" -> how often.
+using LeftOut = std::map<std::string, int>;
+
 struct DrawnPiece {
   std::string name;
   std::string file;  // for places
   int line = 0;      // of the block
   PieceTexts texts;
-  std::vector<Run> cut, sew, dense_cut, dense_sew, internal_lines, cut_outs, grain, mirror;
+  std::vector<Run> cut, sew, dense_cut, dense_sew, internal_lines, cut_outs, dense_internal_lines, dense_cut_outs;
+  std::vector<Run> grain, mirror, grade_reference;
   std::vector<MarkedPoint> points;  // turn and curve points in file order
   std::vector<DrawnNotch> notches;
   std::vector<DrillHole> drill_holes;
-  std::vector<std::pair<Eigen::Vector2d, int>> grade_rules;
-  std::vector<Eigen::Vector2d> not_mirrored;  // where a label "NM" stands
-  double tolerance = 2e-5;                    // m, for points that should coincide
+  std::vector<RuleMark> grade_rules;
+  std::vector<Eigen::Vector2d> not_mirrored;             // where a label "NM" stands
+  double tolerance = 2e-5;                               // m, for points that should coincide
+  Eigen::Matrix2d linear = Eigen::Matrix2d::Identity();  // of the Transform it came by
+  double unit = 1;                                       // m per file unit
 
   // "front.dxf:412, piece 'sleeve'"
   std::string place(std::optional<int> at_line = {}) const;
@@ -57,16 +71,21 @@ struct DrawnPiece {
 struct Transform {
   Eigen::Matrix2d linear = Eigen::Matrix2d::Identity();
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-  double unit = 1;  // metres per file unit, for depths and widths
+  double unit = 1;     // metres per file unit, for depths and widths
+  double chord = .02;  // file units, how far curves may be from their chords
   Eigen::Vector2d operator()(const Eigen::Vector2d& p) const { return linear * p + shift; }
 };
-Transform transform_of(const dxf::Block& block, const std::vector<dxf::Entity>& entities, double unit);
+Transform transform_of(const dxf::Block& block, const std::vector<dxf::Entity>& entities, double unit, double chord);
 
-// What was met and left out, for one finding each at the end: "SPLINE on layer 1" -> how often.
-using LeftOut = std::map<std::string, int>;
+// What sort_by_layer met beside what it could sort.
+struct Sorted {
+  LeftOut unknown_layers;  // their lines are kept as internal lines
+  LeftOut unread;          // entities of kinds that cannot be read
+  LeftOut not_kept;        // read, but a Pattern has no place for them: "LINE on layer 9 (stripe reference lines)"
+};
 
-// Layers the table does not know are kept as internal lines and counted in `unknown_layers`; entities that cannot be read on
-// layers that matter, in `unread`.
-DrawnPiece sort_by_layer(const dxf::Block& block, const Transform& to_metres, LeftOut& unknown_layers, LeftOut& unread);
+// `entities` as dxf::exploded gives them: no INSERT among them.
+DrawnPiece sort_by_layer(const dxf::Block& block, const std::vector<dxf::Entity>& entities, const Transform& to_metres,
+                         Sorted& sorted);
 
 }  // namespace toile::aama

@@ -47,7 +47,7 @@ inline constexpr Layer layers[] = {
     {"2",  "turn points",                             Role::turn_point,          Shape::points,  true,  true},
     {"3",  "curve points",                            Role::curve_point,         Shape::points,  true,  true},
     {"4",  "slit and V notches",                      Role::notch,               Shape::points,  true,  true, NotchKind::slit},
-    {"5",  "grade reference line",                    Role::grade_reference,     Shape::segment, false, false},
+    {"5",  "grade reference line",                    Role::grade_reference,     Shape::segment, true,  false},
     {"6",  "mirror line of a half piece",             Role::mirror_line,         Shape::segment, true,  false},
     {"7",  "grain line",                              Role::grain_line,          Shape::segment, true,  true},
     {"8",  "internal lines",                          Role::internal_line,       Shape::lines,   true,  true},
@@ -62,8 +62,8 @@ inline constexpr Layer layers[] = {
     {"82", "check notches",                           Role::notch,               Shape::points,  true,  true, NotchKind::check},
     {"83", "U notches",                               Role::notch,               Shape::points,  true,  true, NotchKind::u},
     {"84", "boundary, sampled densely",               Role::dense_cut_line,      Shape::closed,  true,  false},
-    {"85", "internal lines, sampled densely",         Role::dense_internal_line, Shape::lines,   false, false},
-    {"86", "internal cut-outs, sampled densely",      Role::dense_cut_out,       Shape::closed,  false, false},
+    {"85", "internal lines, sampled densely",         Role::dense_internal_line, Shape::lines,   true,  false},
+    {"86", "internal cut-outs, sampled densely",      Role::dense_cut_out,       Shape::closed,  true,  false},
     {"87", "sew line, sampled densely",               Role::dense_sew_line,      Shape::closed,  true,  false},
 };
 // clang-format on

@@ -28,48 +28,20 @@ std::string place(const std::string& file, const PieceBlock& piece) {
   return file + ":" + std::to_string(piece.block->line) + ", piece '" + piece.name + "'";
 }
 
-// All blocks of one piece; the one to read.
-class Nest {
- public:
-  Nest(std::vector<PieceBlock> sizes, const StyleTexts& style, const std::string& file, Report& report)
-      : sizes_(std::move(sizes)), style_(style), file_(file), report_(report) {}
-
-  const PieceBlock& sample() {
-    if (sizes_.size() == 1) return sizes_.front();
-    std::vector<const PieceBlock*> found;
-    for (const PieceBlock& piece : sizes_)
-      if (!style_.sample_size.empty() && dxf::same_word(piece.texts.size, style_.sample_size)) found.push_back(&piece);
-    if (found.size() > 1) duplicate(*found[0], *found[1]);
-    if (!found.empty()) return *found.front();
-    std::set<std::string> seen;
-    for (const PieceBlock& piece : sizes_)
-      if (!seen.insert(piece.texts.size).second) {
-        duplicate(sizes_.front(), piece);
-        return sizes_.front();
-      }
-    const auto richest = std::max_element(sizes_.begin(), sizes_.end(), [](const PieceBlock& a, const PieceBlock& b) {
-      return details(*a.block) < details(*b.block);
-    });
-    report_.warn(
-        "aama.sample-size", place(file_, *richest),
-        "none of its sizes is the style's sample size '" + style_.sample_size + "'; size '" + richest->texts.size + "' is read",
-        "set the sample size in the pattern program");
-    return *richest;
-  }
-
- private:
-  void duplicate(const PieceBlock& a, const PieceBlock& b) {
-    report_.error("aama.duplicate-piece", place(file_, b),
-                  "two pieces are called '" + a.name + "'" + (a.texts.size.empty() ? "" : " in size " + a.texts.size) +
-                      "; the other is at line " + std::to_string(a.block->line),
-                  "give each piece a name of its own");
-  }
-
-  std::vector<PieceBlock> sizes_;
-  const StyleTexts& style_;
-  const std::string& file_;
-  Report& report_;
-};
+std::size_t sample_of(const PieceGroup& group, const StyleTexts& style, const std::string& file, Report& report) {
+  const std::vector<PieceBlock>& sizes = group.sizes;
+  if (sizes.size() == 1) return 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (!style.sample_size.empty() && dxf::same_word(sizes[i].texts.size, style.sample_size)) return i;
+  const auto richest = std::max_element(sizes.begin(), sizes.end(), [](const PieceBlock& a, const PieceBlock& b) {
+    return details(*a.block) < details(*b.block);
+  });
+  report.warn(
+      "aama.sample-size", place(file, *richest),
+      "none of its sizes is the style's sample size '" + style.sample_size + "'; size '" + richest->texts.size + "' is read",
+      "set the sample size in the pattern program");
+  return static_cast<std::size_t>(richest - sizes.begin());
+}
 
 // Blocks without a piece name go by their own; programs that write the same for several leave us to count.
 void name_unnamed(std::vector<PieceBlock>& pieces, const std::string& file, Report& report) {
@@ -87,50 +59,85 @@ void name_unnamed(std::vector<PieceBlock>& pieces, const std::string& file, Repo
   }
 }
 
+// "FRONT_38" of the piece "front": size 38, when no text says it.
+void size_by_block_name(PieceBlock& piece) {
+  const std::string& block = piece.block->name;
+  const std::size_t length = piece.texts.name.size();
+  if (!piece.texts.size.empty() || length == 0 || block.size() < length + 2) return;
+  if (!dxf::same_word(block.substr(0, length), piece.texts.name) || (block[length] != '_' && block[length] != '-')) return;
+  piece.texts.size = block.substr(length + 1);
+}
+
+// What only some sizes say holds for all (AccuMark: the sample size alone has the quantity).
+void complete_texts(PieceGroup& group) {
+  PieceTexts& to = group.sizes[group.sample].texts;
+  for (const PieceBlock& other : group.sizes) {
+    const PieceTexts& from = other.texts;
+    if (to.material.empty()) to.material = from.material;
+    if (to.annotations.empty()) to.annotations = from.annotations;
+    if (to.quantity || !from.quantity) continue;
+    to.quantity = from.quantity;
+    to.mirrored = from.mirrored;
+    to.quantity_text = from.quantity_text;
+  }
+}
+
 }  // namespace
 
-std::vector<PieceBlock> sample_size_blocks(const dxf::Drawing& drawing, const StyleTexts& style, const std::string& file,
-                                           Report& report) {
+bool has_outline(const dxf::Block& block) { return std::any_of(block.entities.begin(), block.entities.end(), is_outline); }
+
+std::vector<PieceGroup> piece_groups(const std::vector<dxf::Block>& blocks, const StyleTexts& style, const std::string& file,
+                                     Report& report) {
   std::vector<PieceBlock> pieces;
-  for (const dxf::Block& block : drawing.blocks) {
-    if (std::none_of(block.entities.begin(), block.entities.end(), is_outline)) continue;
+  for (const dxf::Block& block : blocks) {
+    if (!has_outline(block)) continue;
     PieceTexts texts = piece_texts(block.entities);
     std::string name = texts.name;
     pieces.push_back({&block, std::move(name), std::move(texts)});
-  }
-  if (pieces.empty()) {
-    report.error("aama.no-piece", file,
-                 drawing.entities.empty()
-                     ? "the file has no pattern piece: no block has an outline on layer 1"
-                     : "the file has no pattern piece: it is a flat drawing, its lines are in no block with layer 1",
-                 "export as DXF-AAMA or DXF-ASTM (one block per piece, boundary on layer 1)");
-    return {};
+    size_by_block_name(pieces.back());
   }
   name_unnamed(pieces, file, report);
 
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<PieceBlock>> by_name;
+  // A second block of one name and size is another piece.
+  std::vector<PieceGroup> groups;
+  std::set<std::string> names;
+  for (const PieceBlock& piece : pieces) names.insert(piece.name);
+  std::map<std::string, std::vector<std::size_t>> of_name;
   for (PieceBlock& piece : pieces) {
-    if (by_name.find(piece.name) == by_name.end()) order.push_back(piece.name);
-    by_name[piece.name].push_back(std::move(piece));
+    std::vector<std::size_t>& alike = of_name[piece.name];
+    const auto open = std::find_if(alike.begin(), alike.end(), [&](std::size_t i) {
+      return std::none_of(groups[i].sizes.begin(), groups[i].sizes.end(),
+                          [&](const PieceBlock& other) { return other.texts.size == piece.texts.size; });
+    });
+    if (open != alike.end()) {
+      groups[*open].sizes.push_back(std::move(piece));
+      continue;
+    }
+    std::string name = piece.name;
+    if (!alike.empty()) {
+      for (int i = 2; !names.insert(name).second; ++i) name = piece.name + "-" + std::to_string(i);
+      report.warn("aama.piece-renamed", place(file, piece),
+                  "two pieces are called '" + piece.name + "'" +
+                      (piece.texts.size.empty() ? "" : " in size " + piece.texts.size) + "; this one is now '" + name + "'",
+                  "name the pieces in the pattern program");
+    }
+    alike.push_back(groups.size());
+    groups.push_back({name, {std::move(piece)}, 0});
   }
-  std::vector<PieceBlock> chosen;
-  std::vector<std::string> ignored;  // sizes, in file order
-  for (const std::string& name : order) {
-    std::vector<PieceBlock>& sizes = by_name[name];
-    chosen.push_back(Nest(sizes, style, file, report).sample());
-    for (const PieceBlock& piece : sizes)
-      if (piece.texts.size != chosen.back().texts.size &&
-          std::find(ignored.begin(), ignored.end(), piece.texts.size) == ignored.end())
-        ignored.push_back(piece.texts.size);
+  for (PieceGroup& group : groups) {
+    group.sample = sample_of(group, style, file, report);
+    complete_texts(group);
   }
-  if (!ignored.empty()) {
-    std::string list;
-    for (const std::string& size : ignored) list += (list.empty() ? "" : ", ") + (size.empty() ? "(no size)" : size);
-    report.note("aama.sizes-ignored", file,
-                "a nest: size '" + chosen.front().texts.size + "' is read, the others are not: " + list);
-  }
-  return chosen;
+  return groups;
+}
+
+std::vector<std::string> sizes_of(const std::vector<PieceGroup>& groups) {
+  std::vector<std::string> sizes;
+  for (const PieceGroup& group : groups)
+    for (const PieceBlock& piece : group.sizes)
+      if (!piece.texts.size.empty() && std::find(sizes.begin(), sizes.end(), piece.texts.size) == sizes.end())
+        sizes.push_back(piece.texts.size);
+  return sizes;
 }
 
 }  // namespace toile::aama

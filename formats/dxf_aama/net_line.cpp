@@ -108,7 +108,7 @@ void report_open(const DrawnPiece& piece, const Chain& chain, const char* what, 
 // Layer 14; nothing, and the reason in `why_not`, when it cannot be used.
 std::optional<Points<2>> sew_line_on_14(const DrawnPiece& piece, const std::optional<Points<2>>& cut,
                                         const std::optional<Axis>& fold, std::string& why_not) {
-  const std::vector<Chain> parts = chains(piece.sew);
+  const std::vector<Chain> parts = chains(piece.sew.empty() ? piece.dense_sew : piece.sew);
   const Chain* chain = principal(parts);
   if (!chain) return {};
   std::optional<Points<2>> sew = ring_of(*chain, fold);
@@ -154,11 +154,17 @@ std::optional<NetLine> net_line(DrawnPiece& piece, Report& report) {
   std::string why_not;
   std::optional<Points<2>> sew = sew_line_on_14(piece, net.cut, net.fold, why_not);
   if (sew) {
-    if (std::optional<Points<2>> dense = finer(piece.dense_sew, *sew, net.fold)) sew = std::move(dense);
+    net.source = "layer 14";
+    if (std::optional<Points<2>> dense = finer(piece.dense_sew, *sew, net.fold)) {
+      sew = std::move(dense);
+      net.source = "layer 87";
+    }
   } else if (net.cut && (sew = sew_line_on_8(piece, *net.cut, net.fold))) {
+    net.source = "layer 8";
     report.note("aama.sew-line-on-8", piece.place(),
                 "the closed line on layer 8 parallel to the boundary is taken as sew line");
   } else if (net.cut) {
+    net.source = "cut line";
     sew = std::move(net.cut);
     net.cut.reset();
     report.warn("aama.no-sew-line", piece.place(),

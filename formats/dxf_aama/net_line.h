@@ -2,6 +2,7 @@
 // The net (sew) line of a piece, wherever the file has put it, and the cut line.
 
 #include <optional>
+#include <string>
 
 #include "formats/dxf_aama/chains.h"
 #include "formats/dxf_aama/drawn_piece.h"
@@ -14,6 +15,7 @@ struct NetLine {
   Points<2> sew;                 // in file order and direction, no repeated point
   std::optional<Points<2>> cut;  // absent: the file has one line only, taken as net
   std::optional<Axis> fold;      // the piece is drawn as a half; both lines are whole, its details are not yet
+  std::string source;            // PieceFacts::sew_line_source
 };
 
 // Layer 14 where it closes (by itself, over the mirror line, or along the cut line where there is no allowance); else the

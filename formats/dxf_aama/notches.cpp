@@ -134,6 +134,7 @@ std::vector<Notch> placed_notches(const DrawnPiece& piece, const std::vector<Edg
                                   const std::optional<Points<2>>& cut, Report& report) {
   const SewLine sew(outline);
   std::vector<Candidate> found;
+  int twice = 0;
   for (const DrawnNotch& drawn : piece.notches) {
     const DrawnNotch notch = from_outside(drawn, sew, cut);
     Candidate candidate{sew.nearest(notch.at), notch};
@@ -159,11 +160,17 @@ std::vector<Notch> placed_notches(const DrawnPiece& piece, const std::vector<Edg
           (other.on_cut && !other.on_sew && candidate.on_sew) || (other.on_sew && candidate.on_cut && !candidate.on_sew);
       return both_lines && sew.distance_between(other.place, candidate.place) <= twin;
     });
+    twice += same != found.end();
     if (same == found.end())
       found.push_back(candidate);
     else if (candidate.on_sew && !same->on_sew)
       *same = candidate;
   }
+
+  if (twice > 0)
+    report.note("aama.notch-twice", piece.place(),
+                std::to_string(twice) + (twice == 1 ? " notch is" : " notches are") +
+                    " drawn twice, as cut and sew line have them; read once");
 
   std::vector<Notch> notches;
   for (const Candidate& c : found)

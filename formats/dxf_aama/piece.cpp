@@ -42,8 +42,8 @@ void join_double_corners(Points<2>& ring, std::vector<bool>& turn) {
 }
 
 std::optional<int> rule_at(const DrawnPiece& drawn, const Eigen::Vector2d& at) {
-  for (const auto& [where, rule] : drawn.grade_rules)
-    if ((where - at).norm() <= drawn.tolerance) return rule;
+  for (const RuleMark& mark : drawn.grade_rules)
+    if (mark.role != Role::notch && (mark.at - at).norm() <= drawn.tolerance) return mark.rule;
   return {};
 }
 
@@ -100,6 +100,23 @@ void set_quantity(Piece& piece, const DrawnPiece& drawn, Report& report) {
   report.note("aama.quantity", drawn.place(), "the quantity is 0; 1 is taken");
 }
 
+// Points and rule numbers of the file that are at no point of the outline.
+void report_off_outline(const DrawnPiece& drawn, const Points<2>& sew, Report& report) {
+  const auto on_sew = [&](const Eigen::Vector2d& at) {
+    return std::any_of(sew.begin(), sew.end(), [&](const Eigen::Vector2d& p) { return (p - at).norm() <= drawn.tolerance; });
+  };
+  const auto points =
+      std::count_if(drawn.points.begin(), drawn.points.end(), [&](const MarkedPoint& p) { return !on_sew(p.at); });
+  const auto rules =
+      std::count_if(drawn.grade_rules.begin(), drawn.grade_rules.end(), [&](const RuleMark& m) { return !on_sew(m.at); });
+  const auto listed = static_cast<std::ptrdiff_t>(drawn.points.size());
+  const auto ruled = static_cast<std::ptrdiff_t>(drawn.grade_rules.size());
+  if (listed > 0 || ruled > 0)
+    report.note("aama.points", drawn.place(),
+                std::to_string(listed) + " turn and curve points and " + std::to_string(ruled) + " grade rule numbers; " +
+                    std::to_string(points) + " and " + std::to_string(rules) + " of them are on other lines than the sew line");
+}
+
 void set_grain(Piece& piece, const DrawnPiece& drawn, Report& report) {
   double longest = 1e-4;
   int lines = 0;
@@ -120,6 +137,23 @@ void set_grain(Piece& piece, const DrawnPiece& drawn, Report& report) {
     report.note("aama.grain-lines", drawn.place(), std::to_string(lines) + " grain lines; the longest is taken");
 }
 
+// A line that is drawn more densely on its other layer is taken from there.
+void take_dense(std::vector<Run>& lines, const std::vector<Run>& dense) {
+  std::vector<bool> taken(dense.size(), false);
+  for (Run& line : lines)
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+      if (taken[i] || dense[i].points.size() <= line.points.size() || dense[i].closed != line.closed) continue;
+      const Points<2> finer = dense[i].closed ? closed_polyline(dense[i].points) : dense[i].points;
+      if (!std::all_of(line.points.begin(), line.points.end(),
+                       [&](const Eigen::Vector2d& p) { return nearest_on<2>(finer, p).distance <= closing_gap; }))
+        continue;
+      if (!line.closed && (dense[i].points.front() - line.points.front()).norm() > closing_gap) continue;
+      taken[i] = true;
+      line.points = dense[i].points;
+      break;
+    }
+}
+
 void add_lines(Piece& piece, const std::vector<Run>& runs, bool cut_out) {
   for (const Run& run : runs) {
     Points<2> points = without_repeats(run.points, false);
@@ -131,7 +165,7 @@ void add_lines(Piece& piece, const std::vector<Run>& runs, bool cut_out) {
 
 }  // namespace
 
-std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
+std::optional<MadePiece> make_piece(DrawnPiece drawn, Report& report) {
   std::optional<NetLine> net = net_line(drawn, report);
   if (!net) return {};
   if (net->sew.size() < 3 || std::abs(signed_area(net->sew)) < 1e-6) {
@@ -139,7 +173,10 @@ std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
                  "draw the outline as a closed line on layer 1");
     return {};
   }
+  take_dense(drawn.internal_lines, drawn.dense_internal_lines);
+  take_dense(drawn.cut_outs, drawn.dense_cut_outs);
   drop_notches_on_internal_lines(drawn, net->sew, net->cut, report);
+  report_off_outline(drawn, net->sew, report);
   if (net->fold) {
     unfold_details(drawn, *net->fold);
     report.note("aama.unfolded", drawn.place(), "drawn as a half up to its mirror line; read as the whole piece");
@@ -171,7 +208,15 @@ std::optional<Piece> make_piece(DrawnPiece drawn, Report& report) {
   add_lines(piece, drawn.internal_lines, false);
   add_lines(piece, drawn.cut_outs, true);
   piece.drill_holes = drawn.drill_holes;
-  return piece;
+
+  PieceFacts facts;
+  facts.piece = piece.name;
+  facts.has_sew_line = net->source != "cut line";
+  facts.sew_line_source = net->source;
+  facts.unfolded = net->fold.has_value();
+  for (const Edge& edge : piece.outline)
+    for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) facts.graded_points += edge.points[i].grade_rule.has_value();
+  return MadePiece{std::move(piece), std::move(facts), net->fold};
 }
 
 }  // namespace toile::aama

@@ -4,21 +4,29 @@
 #include <stdexcept>
 
 #include "formats/dxf/drawing.h"
+#include "formats/dxf/explode.h"
+#include "formats/dxf/tags.h"
 #include "formats/dxf_aama/chains.h"
+#include "formats/dxf_aama/dialect.h"
 #include "formats/dxf_aama/drawn_piece.h"
 #include "formats/dxf_aama/dxf_aama.h"
-#include "formats/dxf_aama/layers.h"
+#include "formats/dxf_aama/flat.h"
+#include "formats/dxf_aama/graded_piece.h"
 #include "formats/dxf_aama/nest.h"
 #include "formats/dxf_aama/piece.h"
+#include "formats/dxf_aama/rules_beside.h"
 #include "formats/dxf_aama/units.h"
 #include "formats/formats.h"
+#include "garment/units.h"
 
 namespace toile {
 namespace {
 
 using aama::DrawnPiece;
-using aama::LeftOut;
 using aama::PieceBlock;
+using aama::PieceGroup;
+
+constexpr double chord = 0.05e-3;  // m, how far curves may be from their chords
 
 Eigen::AlignedBox2d box_of(const std::vector<aama::Run>& runs) {
   Eigen::AlignedBox2d box;
@@ -27,85 +35,308 @@ Eigen::AlignedBox2d box_of(const std::vector<aama::Run>& runs) {
   return box;
 }
 
-// What the sizes of the pieces, sorted in file units, say about the unit.
-aama::UnitEvidence evidence_of(const std::vector<DrawnPiece>& pieces) {
-  aama::UnitEvidence evidence;
-  for (const DrawnPiece& piece : pieces) {
-    Eigen::AlignedBox2d all, cut = box_of(piece.cut), sew = box_of(piece.sew);
-    for (const auto* runs : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew}) all.extend(box_of(*runs));
-    if (!all.isEmpty()) evidence.largest = std::max(evidence.largest, all.sizes().maxCoeff());
-    for (const aama::DrawnNotch& notch : piece.notches)
-      if (notch.depth > 0) evidence.notch_depths.push_back(notch.depth);
-    if (cut.isEmpty() || sew.isEmpty()) continue;
-    for (const double gap : {sew.min().x() - cut.min().x(), sew.min().y() - cut.min().y(), cut.max().x() - sew.max().x(),
-                             cut.max().y() - sew.max().y()})
-      if (gap > 1e-6 * all.sizes().maxCoeff()) evidence.allowances.push_back(gap);
-  }
-  return evidence;
+// What the sizes of a piece, sorted in file units, say about the unit.
+void add_evidence(aama::UnitEvidence& evidence, const DrawnPiece& piece) {
+  Eigen::AlignedBox2d all, cut = box_of(piece.cut), sew = box_of(piece.sew);
+  for (const auto* runs : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew}) all.extend(box_of(*runs));
+  if (!all.isEmpty()) evidence.largest = std::max(evidence.largest, all.sizes().maxCoeff());
+  for (const aama::DrawnNotch& notch : piece.notches)
+    if (notch.depth > 0) evidence.notch_depths.push_back(notch.depth);
+  if (cut.isEmpty() || sew.isEmpty()) return;
+  for (const double gap : {sew.min().x() - cut.min().x(), sew.min().y() - cut.min().y(), cut.max().x() - sew.max().x(),
+                           cut.max().y() - sew.max().y()})
+    if (gap > 1e-6 * all.sizes().maxCoeff()) evidence.allowances.push_back(gap);
 }
 
-std::vector<DrawnPiece> sorted(const std::vector<PieceBlock>& blocks, const dxf::Drawing& drawing, double unit,
-                               const std::string& name, LeftOut& unknown_layers, LeftOut& unread) {
-  std::vector<DrawnPiece> pieces;
-  for (const PieceBlock& block : blocks) {
-    pieces.push_back(
-        aama::sort_by_layer(*block.block, aama::transform_of(*block.block, drawing.entities, unit), unknown_layers, unread));
-    pieces.back().name = block.name;
-    pieces.back().file = name;
-  }
-  return pieces;
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
 }
 
-void report_left_out(const LeftOut& unknown_layers, const LeftOut& unread, const std::string& name, Report& report) {
+void report_left_out(const aama::Sorted& sorted, const std::string& name, Report& report) {
   const auto times = [](int count) { return std::to_string(count) + (count == 1 ? " time" : " times"); };
-  for (const auto& [layer, count] : unknown_layers)
+  for (const auto& [layer, count] : sorted.unknown_layers)
     report.warn("aama.unknown-layer", name,
                 "layer '" + layer + "' is in no standard; its lines (" + std::to_string(count) + ") are kept as internal lines",
                 "");
-  for (const auto& [what, count] : unread)
+  for (const auto& [what, count] : sorted.unread)
     report.warn("aama.unsupported-entity", name, what + " (" + times(count) + ") is not read",
                 "export the curves as polylines (R12)");
+  for (const auto& [what, count] : sorted.not_kept)
+    report.note("aama.not-kept", name, what + " (" + times(count) + "): read, but a pattern has no place for it");
+}
+
+class Reader {
+ public:
+  Reader(const std::string& name, const PatternReadOptions& options, const FindRules& find_rules)
+      : name_(name), options_(options), find_rules_(find_rules) {}
+
+  Loaded<PatternFile> read(std::string_view bytes) {
+    Loaded<dxf::Drawing> drawing = dxf::read_drawing(bytes, name_);
+    report_ = std::move(drawing.report);
+    if (drawing.value) {
+      drawing_ = std::move(*drawing.value);
+      if (find_pieces() && decide_units() && make_pieces()) grade();
+    }
+    Loaded<PatternFile> loaded;
+    loaded.report = std::move(report_);
+    if (loaded.report.ok()) loaded.value = std::move(file_);
+    return loaded;
+  }
+
+ private:
+  bool find_pieces() {
+    style_ = aama::style_texts(drawing_.entities);
+    for (const dxf::Block& block : drawing_.blocks) {
+      if (!aama::has_outline(block)) continue;
+      blocks_.push_back(block);
+      blocks_.back().entities = dxf::exploded(block.entities, drawing_, name_, report_);
+    }
+    flat_ = blocks_.empty();
+    if (flat_ && report_.ok()) {
+      const std::vector<dxf::Entity> all = dxf::exploded(drawing_.entities, drawing_, name_, report_);
+      blocks_ = aama::pieces_by_containment(all, name_, report_);
+      style_ = aama::style_texts(all);
+    }
+    groups_ = aama::piece_groups(blocks_, style_, name_, report_);
+    if (groups_.empty() && report_.ok())
+      report_.error("aama.no-piece", name_, "the file has no pattern piece: no closed line on layer 1 or elsewhere",
+                    "export as DXF-AAMA or DXF-ASTM (one block per piece, boundary on layer 1)");
+    if (!report_.ok()) return false;
+    const aama::Dialect dialect = aama::dialect_of(style_, blocks_, flat_);
+    file_.format = "DXF";
+    file_.dialect = dialect.name;
+    file_.author = style_.author;
+    file_.sizes = aama::sizes_of(groups_);
+    file_.sample_size = style_.sample_size.empty() ? groups_.front().sample_block().texts.size : style_.sample_size;
+    for (const std::string& size : file_.sizes)
+      if (dxf::same_word(size, file_.sample_size)) file_.sample_size = size;
+    report_.note("aama.dialect", name_, dialect.name + ": " + dialect.because);
+    return true;
+  }
+
+  DrawnPiece drawn(const PieceGroup& group, const PieceBlock& block, double unit, aama::Sorted& sorted) const {
+    const std::vector<dxf::Entity> none;
+    const aama::Transform transform =
+        aama::transform_of(*block.block, flat_ ? none : drawing_.entities, unit, unit == 1 ? .02 : chord / unit);
+    DrawnPiece piece = aama::sort_by_layer(*block.block, block.block->entities, transform, sorted);
+    piece.name = group.name;
+    piece.file = name_;
+    piece.texts = block.texts;
+    return piece;
+  }
+
+  bool decide_units() {
+    aama::UnitEvidence evidence;
+    evidence.style = style_;
+    evidence.header = drawing_.header;
+    aama::Sorted counted_later;
+    for (const PieceGroup& group : groups_) add_evidence(evidence, drawn(group, group.sample_block(), 1, counted_later));
+    const std::optional<FileUnits> units = aama::decide_unit(evidence, options_.unit_in_metres, name_, report_);
+    if (units) file_.units = *units;
+    return units.has_value();
+  }
+
+  bool make_pieces() {
+    Pattern& pattern = file_.pattern;
+    pattern.name = style_.style.empty() ? name_.substr(0, name_.find_last_of('.')) : style_.style;
+    pattern.style = style_.style;
+    pattern.sample_size = file_.sample_size;
+    aama::Sorted sorted;
+    for (const PieceGroup& group : groups_) {
+      samples_.push_back(drawn(group, group.sample_block(), file_.units.in_metres, sorted));
+      std::optional<aama::MadePiece> made = aama::make_piece(samples_.back(), report_);
+      if (!made) continue;
+      pattern.pieces.push_back(std::move(made->piece));
+      file_.facts.push_back(std::move(made->facts));
+      folds_.push_back(made->fold);
+    }
+    report_left_out(sorted, name_, report_);
+    for (const std::string& text : style_.others) report_.note("aama.style-text", name_, "'" + text + "' is not read");
+    return report_.ok();
+  }
+
+  void grade() {
+    const bool nest = std::any_of(groups_.begin(), groups_.end(), [](const PieceGroup& g) { return g.sizes.size() > 1; });
+    const bool ruled =
+        std::any_of(samples_.begin(), samples_.end(), [](const DrawnPiece& p) { return !p.grade_rules.empty(); });
+    if (!nest && ruled && find_rules_) rules_ = find_rules_(style_.rule_table, report_);
+    if (nest)
+      grade_by_nest();
+    else if (rules_)
+      grade_by_rules();
+    else if (ruled)
+      report_.note("aama.no-rule-table", name_,
+                   "points have grade rule numbers, but no rule table (.rul) is beside the file; the sample size alone is read",
+                   "put the rule table beside the DXF under the same name");
+    choose_size();
+  }
+
+  void begin_grading(const char* by) {
+    file_.graded_by = by;
+    file_.graded.assign(file_.sizes.size(), file_.pattern);
+    for (std::size_t s = 0; s < file_.sizes.size(); ++s) {
+      file_.graded[s].sample_size = file_.sizes[s];
+      file_.graded[s].pieces.clear();
+    }
+  }
+
+  void add_graded(std::size_t piece, const aama::GradedLines& lines) {
+    std::vector<Piece> sizes = aama::graded_pieces(file_.pattern.pieces[piece], folds_[piece], lines, file_.sizes.size());
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+      if (!(signed_area(sizes[s]) > 0))
+        report_.warn("aama.graded-inside-out", samples_[piece].place(),
+                     "graded to size " + file_.sizes[s] + " its outline turns inside out", "check its grading");
+      file_.graded[s].pieces.push_back(std::move(sizes[s]));
+    }
+  }
+
+  void grade_by_nest() {
+    begin_grading("nest");
+    std::vector<std::string> alike;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const PieceGroup& group = groups_[i];
+      if (group.sizes.size() == 1) alike.push_back(group.name);
+      std::vector<DrawnPiece> others;
+      others.reserve(group.sizes.size());
+      std::vector<const DrawnPiece*> sizes;
+      std::vector<std::string> lacking;
+      aama::Sorted ignored;
+      for (const std::string& size : file_.sizes) {
+        const auto block =
+            std::find_if(group.sizes.begin(), group.sizes.end(), [&](const PieceBlock& b) { return b.texts.size == size; });
+        if (block == group.sizes.end() || &*block == &group.sample_block()) {
+          if (block == group.sizes.end() && group.sizes.size() > 1) lacking.push_back(size);
+          sizes.push_back(&samples_[i]);
+        } else {
+          others.push_back(drawn(group, *block, file_.units.in_metres, ignored));
+          sizes.push_back(&others.back());
+        }
+      }
+      if (!lacking.empty())
+        report_.warn("aama.size-missing", samples_[i].place(),
+                     "not drawn in size " + listed(lacking) + "; it has the sample size's shape there",
+                     "export the piece in every size");
+      add_graded(i, aama::nest_lines(samples_[i], sizes, file_.sizes, report_));
+    }
+    report_.note("aama.nest", name_,
+                 "a nest of sizes " + listed(file_.sizes) + "; size '" + file_.sample_size + "' is the sample size" +
+                     (alike.empty() ? "" : "; the same in all sizes: " + listed(alike)));
+  }
+
+  void grade_by_rules() {
+    const auto unit = unit_of_rules();
+    file_.sizes = rules_->sizes;
+    file_.sample_size = rules_->sample_size;
+    file_.pattern.sample_size = rules_->sample_size;
+    begin_grading("rules");
+    std::vector<std::string> alike;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const aama::GradedLines lines = aama::ruled_lines(samples_[i], *rules_, unit, report_);
+      if (lines.lines.empty()) alike.push_back(groups_[i].name);
+      add_graded(i, lines);
+    }
+    report_.note("aama.graded-by-rules", name_,
+                 "graded by rule table '" + rules_->name + "' (" + std::to_string(rules_->rules.size()) + " rules) to sizes " +
+                     listed(file_.sizes) + "; sample size '" + file_.sample_size + "'" +
+                     (alike.empty() ? "" : "; without rules and the same in all sizes: " + listed(alike)));
+    if (!style_.sample_size.empty() && !dxf::same_word(style_.sample_size, rules_->sample_size))
+      report_.warn("aama.sample-size", name_,
+                   "the DXF's sample size is '" + style_.sample_size + "', that of its rule table '" + rules_->sample_size +
+                       "'; the table's is taken",
+                   "export piece and rule table together");
+  }
+
+  // Metres per unit of the rule table: the DXF's, unless it says another system of units.
+  double unit_of_rules() {
+    const auto english = [](const std::string& said) {
+      return dxf::same_word(said, "ENGLISH") || dxf::same_word(said, "IMPERIAL") || dxf::same_word(said, "INCH");
+    };
+    const bool table = english(rules_->units), file = file_.units.name == "inch" || file_.units.name == "foot";
+    if (rules_->units.empty() || table == file) return file_.units.in_metres;
+    report_.warn("aama.rule-units", name_,
+                 "the DXF is read in " + file_.units.name + ", its rule table says " + rules_->units +
+                     "; the rules are taken as " + (table ? "inches" : "mm"),
+                 "export piece and rule table in the same units");
+    return table ? 0.0254 : 1e-3;
+  }
+
+  void choose_size() {
+    const std::string& wanted = options_.size;
+    if (wanted.empty() || dxf::same_word(wanted, file_.sample_size)) return;
+    for (std::size_t s = 0; s < file_.graded.size(); ++s)
+      if (dxf::same_word(file_.sizes[s], wanted)) {
+        file_.pattern = file_.graded[s];
+        return;
+      }
+    report_.error("aama.size-unknown", name_,
+                  file_.sizes.empty() ? "the file names no sizes; '" + wanted + "' cannot be chosen"
+                                      : "the file has no size '" + wanted + "', only " + listed(file_.sizes),
+                  "choose one of its sizes");
+  }
+
+  const std::string& name_;
+  const PatternReadOptions& options_;
+  const FindRules& find_rules_;
+  std::optional<GradeTable> rules_;
+  Report report_;
+  dxf::Drawing drawing_;
+  aama::StyleTexts style_;
+  bool flat_ = false;
+  std::vector<dxf::Block> blocks_;  // with an outline, nested blocks put in
+  std::vector<PieceGroup> groups_;
+  std::vector<DrawnPiece> samples_;  // one for each group
+  std::vector<std::optional<aama::Axis>> folds_;
+  PatternFile file_;
+};
+
+Loaded<Pattern> pattern_of(Loaded<PatternFile> loaded) {
+  if (!loaded.value) return {std::nullopt, std::move(loaded.report)};
+  return {std::move(loaded.value->pattern), std::move(loaded.report)};
 }
 
 }  // namespace
 
+Loaded<PatternFile> read_dxf_pattern_bytes(std::string_view bytes, const std::string& name, const PatternReadOptions& options,
+                                           const FindRules& find_rules) {
+  if (options.unit_in_metres && !(std::isfinite(*options.unit_in_metres) && *options.unit_in_metres > 0))
+    throw std::invalid_argument("read_dxf_pattern: the unit must be a positive number of metres");
+  return Reader(name, options, find_rules).read(bytes);
+}
+
+Loaded<PatternFile> read_dxf_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
+  Loaded<std::string> bytes = read_whole_file(file);
+  if (!bytes.value) return {std::nullopt, std::move(bytes.report)};
+  Report report = std::move(bytes.report);
+  // A table that cannot be read costs the other sizes only.
+  const FindRules find_rules = [&](const std::string& named, Report& to) -> std::optional<GradeTable> {
+    const auto beside = aama::rules_beside(file, named);
+    if (!beside) return {};
+    const Loaded<std::string> text = read_whole_file(*beside);
+    Loaded<GradeTable> table{std::nullopt, text.report};
+    if (text.value) table = read_rul_bytes(*text.value, beside->filename().string());
+    for (Finding& finding : table.report.findings)
+      if (finding.severity == Severity::error) finding.severity = Severity::warning;
+    to.append(table.report);
+    return std::move(table.value);
+  };
+  Loaded<PatternFile> loaded = read_dxf_pattern_bytes(*bytes.value, file.filename().string(), options, find_rules);
+  report.append(loaded.report);
+  if (!report.ok()) loaded.value.reset();
+  return {std::move(loaded.value), std::move(report)};
+}
+
 Loaded<Pattern> read_dxf_aama_bytes(std::string_view bytes, const std::string& name, std::optional<double> unit_in_metres) {
-  if (unit_in_metres && !(std::isfinite(*unit_in_metres) && *unit_in_metres > 0))
-    throw std::invalid_argument("read_dxf_aama: the unit must be a positive number of metres");
-  Loaded<dxf::Drawing> drawing = dxf::read_drawing(bytes, name);
-  Loaded<Pattern> loaded{std::nullopt, std::move(drawing.report)};
-  Report& report = loaded.report;
-  if (!drawing.value) return loaded;
-
-  const aama::StyleTexts style = aama::style_texts(drawing.value->entities);
-  const std::vector<PieceBlock> blocks = aama::sample_size_blocks(*drawing.value, style, name, report);
-  if (!report.ok()) return loaded;
-
-  LeftOut unknown_layers, unread, counted_before, counted_before_too;
-  aama::UnitEvidence evidence = evidence_of(sorted(blocks, *drawing.value, 1, name, counted_before, counted_before_too));
-  evidence.style = style;
-  evidence.header = drawing.value->header;
-  const std::optional<double> unit = aama::decide_unit(evidence, unit_in_metres, name, report);
-  if (!unit) return loaded;
-
-  Pattern pattern;
-  pattern.name = style.style.empty() ? name.substr(0, name.find_last_of('.')) : style.style;
-  pattern.style = style.style;
-  pattern.sample_size = style.sample_size.empty() ? blocks.front().texts.size : style.sample_size;
-  for (DrawnPiece& drawn : sorted(blocks, *drawing.value, *unit, name, unknown_layers, unread))
-    if (std::optional<Piece> piece = aama::make_piece(std::move(drawn), report)) pattern.pieces.push_back(std::move(*piece));
-  report_left_out(unknown_layers, unread, name, report);
-  if (report.ok()) loaded.value = std::move(pattern);
-  return loaded;
+  PatternReadOptions options;
+  options.unit_in_metres = unit_in_metres;
+  return pattern_of(read_dxf_pattern_bytes(bytes, name, options));
 }
 
 Loaded<Pattern> read_dxf_aama(const std::filesystem::path& file, std::optional<double> unit_in_metres) {
-  Loaded<std::string> bytes = read_whole_file(file);
-  if (!bytes.value) return {std::nullopt, std::move(bytes.report)};
-  Loaded<Pattern> loaded = read_dxf_aama_bytes(*bytes.value, file.filename().string(), unit_in_metres);
-  Report report = std::move(bytes.report);
-  report.append(loaded.report);
-  return {std::move(loaded.value), std::move(report)};
+  PatternReadOptions options;
+  options.unit_in_metres = unit_in_metres;
+  return pattern_of(read_dxf_pattern(file, options));
 }
 
 }  // namespace toile

@@ -1,5 +1,7 @@
 #include "formats/dxf_aama/texts.h"
 
+#include <algorithm>
+
 #include "formats/dxf/tags.h"
 #include "formats/dxf_aama/layers.h"
 
@@ -43,27 +45,59 @@ KeyValue key_value(std::string_view text) {
 
 StyleTexts style_texts(const std::vector<dxf::Entity>& entities) {
   StyleTexts texts;
+  std::string author, product, version;
   for (const dxf::Entity& entity : entities) {
     if (entity.kind != dxf::Kind::text) continue;
     auto [key, value] = key_value(entity.text);
-    if (key == "style name") texts.style = value;
-    if (key == "sample size" && lower(value) != "none") texts.sample_size = value;
-    if (key == "product") texts.product = value;
-    if (key == "author" && texts.product.empty()) texts.product = second_field(value);
-    if (key == "units") {
+    if (key == "style name") {
+      texts.style = value;
+    } else if (key == "sample size") {
+      if (lower(value) != "none") texts.sample_size = value;
+    } else if (key == "author") {
+      author = value;
+    } else if (key == "product") {
+      product = value;
+    } else if (key == "version") {
+      version = value;
+    } else if (key == "grade rule table" || key == "grading rule table") {
+      texts.rule_table = value;
+    } else if (key == "units") {
       texts.units = value;
       texts.units_line = entity.line;
+    } else if (key.find("astm") != std::string::npos || key == "curve tolerance") {
+      texts.says_astm = true;
+    } else if (key.find("aama") != std::string::npos || key == "tolerance") {
+      texts.says_aama = true;
+    } else if (key != "creation date" && key != "creation time" && !entity.text.empty()) {
+      texts.others.push_back(entity.text);
     }
   }
+  texts.says_astm = texts.says_astm || author.find(';') != std::string::npos;
+  texts.says_aama = texts.says_aama || !product.empty() || !version.empty();
+  texts.product = product.empty() ? second_field(author) : product;
+  texts.author = author;
+  for (const std::string& more : {product, version})
+    if (!more.empty()) texts.author += (texts.author.empty() ? "" : " ; ") + more;
   return texts;
+}
+
+bool is_piece_text(const dxf::Entity& entity) {
+  const Role role = role_of(entity.layer);
+  return entity.kind == dxf::Kind::text && (role == Role::cut_line || role == Role::plotted_text);
 }
 
 PieceTexts piece_texts(const std::vector<dxf::Entity>& entities) {
   PieceTexts texts;
+  const auto annotate = [&](const std::string& text) {
+    if (!text.empty() && std::find(texts.annotations.begin(), texts.annotations.end(), text) == texts.annotations.end())
+      texts.annotations.push_back(text);
+  };
   for (const dxf::Entity& entity : entities) {
-    if (entity.kind != dxf::Kind::text || role_of(entity.layer) != Role::cut_line || grade_rule(entity.text)) continue;
+    if (!is_piece_text(entity) || grade_rule(entity.text)) continue;
     auto [key, value] = key_value(entity.text);
-    if (key == "piece name")
+    if (role_of(entity.layer) == Role::plotted_text)
+      annotate(entity.text);
+    else if (key == "piece name")
       texts.name = value;
     else if (key == "size" || key == "size name")
       texts.size = value;
@@ -71,10 +105,10 @@ PieceTexts piece_texts(const std::vector<dxf::Entity>& entities) {
       read_quantity(texts, value);
     else if (key == "material" || (key == "fabric" && texts.material.empty()))
       texts.material = value;
-    else if (key == "annotation") {
-      if (!value.empty()) texts.annotations.push_back(value);
-    } else if (!entity.text.empty())
-      texts.annotations.push_back(entity.text);
+    else if (key == "annotation")
+      annotate(value);
+    else
+      annotate(entity.text);
   }
   return texts;
 }

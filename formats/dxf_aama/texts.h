@@ -15,7 +15,12 @@ struct StyleTexts {
   std::string sample_size;  // empty when absent or NONE
   std::string units;        // "METRIC", "ENGLISH", ...
   std::string product;      // "PRODUCT" (AAMA) or the second field of "Author" (ASTM)
+  std::string author;       // "Author", with "PRODUCT" and "VERSION" of AAMA: "vendor ; product ; version"
+  std::string rule_table;   // "Grade Rule Table"
+  bool says_astm = false;   // a text that only ASTM has
+  bool says_aama = false;   // likewise
   int units_line = 0;
+  std::vector<std::string> others;  // texts without a known key, whole
 };
 
 struct PieceTexts {
@@ -26,7 +31,7 @@ struct PieceTexts {
   std::optional<int> mirrored;  // left
   bool quantity_unreadable = false;
   std::string quantity_text;
-  std::vector<std::string> annotations;  // "Annotation", and whole any other text of the boundary layer
+  std::vector<std::string> annotations;  // "Annotation", and whole any other text of the boundary layer and plotted text
 };
 
 // "Piece Name: front" -> {"piece name", "front"}; no colon: empty key, the whole text as value. Keys in lower case, blanks
@@ -37,6 +42,8 @@ struct KeyValue {
 KeyValue key_value(std::string_view text);
 
 StyleTexts style_texts(const std::vector<dxf::Entity>& entities);
+// Whether piece_texts takes it: on the boundary layer or plotted text (15).
+bool is_piece_text(const dxf::Entity& entity);
 PieceTexts piece_texts(const std::vector<dxf::Entity>& entities);
 
 // A grade rule text "# 12"; nothing otherwise.

@@ -13,13 +13,15 @@ struct Unit {
   const char* name;
   double metres;
 };
-constexpr Unit millimetre{"mm", 1e-3}, centimetre{"cm", 1e-2}, metre{"m", 1.0}, inch{"inch", 0.0254};
+constexpr Unit millimetre{"mm", 1e-3}, centimetre{"cm", 1e-2}, metre{"m", 1.0}, inch{"inch", 0.0254}, foot{"foot", 0.3048},
+    decimetre{"dm", 0.1};
 
 // What the file says: the units it may mean, the likeliest first; `said` is empty when it says nothing.
 struct Statement {
   std::string said;
   std::vector<Unit> meanings;
-  bool sure = false;  // a writer known to mean the first
+  const char* by = "";  // FileUnits::decided_by
+  bool sure = false;    // a writer known to mean the first
 };
 
 struct Range {
@@ -48,10 +50,12 @@ Statement statement(const UnitEvidence& e) {
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return dxf::same_word(text, word); });
   };
   const std::string quoted = "the text 'Units: " + text + "'";
-  if (says({"METRIC"})) return {quoted, {millimetre, centimetre, metre}, dxf::same_word(e.style.product, "TOILE")};
-  if (says({"ENGLISH", "IMPERIAL", "INCH", "INCHES", "IN"})) return {quoted, {inch}};
-  if (says({"MM", "MILLIMETER", "MILLIMETERS", "MILLIMETRE", "MILLIMETRES", "METRIC MM"})) return {quoted, {millimetre}};
-  if (says({"CM", "CENTIMETER", "CENTIMETERS", "CENTIMETRE", "CENTIMETRES", "METRIC CM"})) return {quoted, {centimetre}};
+  if (says({"METRIC"})) return {quoted, {millimetre, centimetre, metre}, "text", dxf::same_word(e.style.product, "TOILE")};
+  if (says({"ENGLISH", "IMPERIAL", "INCH", "INCHES", "IN"})) return {quoted, {inch}, "text"};
+  if (says({"MM", "MILLIMETER", "MILLIMETERS", "MILLIMETRE", "MILLIMETRES", "METRIC MM"}))
+    return {quoted, {millimetre}, "text"};
+  if (says({"CM", "CENTIMETER", "CENTIMETERS", "CENTIMETRE", "CENTIMETRES", "METRIC CM"}))
+    return {quoted, {centimetre}, "text"};
 
   const auto header = [&](const char* key) {
     const auto found = e.header.find(key);
@@ -59,18 +63,22 @@ Statement statement(const UnitEvidence& e) {
   };
   switch (header("$INSUNITS").value_or(0)) {
     case 1:
-      return {"$INSUNITS = 1", {inch}};
+      return {"$INSUNITS = 1", {inch}, "$INSUNITS"};
+    case 2:
+      return {"$INSUNITS = 2", {foot}, "$INSUNITS"};
     case 4:
-      return {"$INSUNITS = 4", {millimetre}};
+      return {"$INSUNITS = 4", {millimetre}, "$INSUNITS"};
     case 5:
-      return {"$INSUNITS = 5", {centimetre}};
+      return {"$INSUNITS = 5", {centimetre}, "$INSUNITS"};
     case 6:
-      return {"$INSUNITS = 6", {metre}};
+      return {"$INSUNITS = 6", {metre}, "$INSUNITS"};
+    case 14:
+      return {"$INSUNITS = 14", {decimetre}, "$INSUNITS"};
     default:
       break;
   }
   // $MEASUREMENT = 0 is what writers leave there that never thought about it.
-  if (header("$MEASUREMENT") == 1) return {"$MEASUREMENT = 1 (metric)", {millimetre, centimetre, metre}};
+  if (header("$MEASUREMENT") == 1) return {"$MEASUREMENT = 1 (metric)", {millimetre, centimetre, metre}, "$MEASUREMENT"};
   return {};
 }
 
@@ -95,23 +103,29 @@ std::string size_in(const UnitEvidence& e, const Unit& unit) {
   return in_mm(e.largest * unit.metres, 0) + " if in " + unit.name;
 }
 
-std::optional<double> ask(const UnitEvidence& e, const std::string& why, const std::string& name, Report& report) {
+std::optional<FileUnits> ask(const UnitEvidence& e, const std::string& why, const std::string& name, Report& report) {
   report.error("aama.units-ambiguous", name,
                why + "; is the file in mm, cm or inches? Its largest piece is " + size_in(e, millimetre) + ", " +
                    size_in(e, centimetre) + ", " + size_in(e, inch),
-               "say so with `units` in the recipe: units = \"mm\", \"cm\" or \"in\"", Fault::ambiguous);
+               "say so: --units mm, cm or in; in a recipe units = \"mm\", \"cm\" or \"in\"", Fault::ambiguous);
   return {};
+}
+
+FileUnits as_told(double metres) {
+  for (const Unit& unit : {millimetre, centimetre, metre, inch, foot, decimetre})
+    if (std::abs(metres - unit.metres) <= 1e-9 * metres) return {unit.name, metres, "override"};
+  return {in_mm(metres, 4), metres, "override"};
 }
 
 }  // namespace
 
-std::optional<double> decide_unit(const UnitEvidence& e, std::optional<double> override_unit, const std::string& name,
-                                  Report& report) {
+std::optional<FileUnits> decide_unit(const UnitEvidence& e, std::optional<double> override_unit, const std::string& name,
+                                     Report& report) {
   if (override_unit) {
     report.note("aama.units", name,
                 "1 file unit = " + in_mm(*override_unit, 4) + ", as asked; the largest piece is " +
                     in_mm(e.largest * *override_unit, 0));
-    return override_unit;
+    return as_told(*override_unit);
   }
   const Statement said = statement(e);
   const std::string place = e.style.units_line > 0 ? name + ":" + std::to_string(e.style.units_line) : name;
@@ -126,8 +140,8 @@ std::optional<double> decide_unit(const UnitEvidence& e, std::optional<double> o
                   std::string("read as ") + unit->name + ": " + said.said +
                       " should mean mm, but then the largest piece would be only " +
                       in_mm(e.largest * said.meanings.front().metres, 1) + size,
-                  "if that is wrong, set `units` in the recipe");
-    return unit->metres;
+                  "if that is wrong, give the unit (--units; `units` in a recipe)");
+    return FileUnits{unit->name, unit->metres, unit == &said.meanings.front() ? said.by : "plausibility"};
   }
   const Unit* found = nullptr;
   int fitting = 0;
@@ -136,6 +150,14 @@ std::optional<double> decide_unit(const UnitEvidence& e, std::optional<double> o
       found = unit;
       ++fitting;
     }
+  const char* by = "plausibility";
+  const auto measurement = e.header.find("$MEASUREMENT");
+  const bool english = measurement != e.header.end() && dxf::whole_number(measurement->second) == 0;
+  if (fitting > 1 && english && usual_piece.holds(e.largest * inch.metres) && details_fit(e, inch)) {
+    found = &inch;
+    fitting = 1;
+    by = "$MEASUREMENT";
+  }
   if (fitting != 1) {
     const std::string unknown =
         e.style.units.empty() ? "the file does not say its unit" : "the unit '" + e.style.units + "' is unknown";
@@ -143,10 +165,11 @@ std::optional<double> decide_unit(const UnitEvidence& e, std::optional<double> o
   }
   report.note("aama.units", place,
               std::string("the file does not say its unit; read as ") + found->name +
-                  ", the only one in which its pieces have a garment's size; the largest is " +
+                  (found == &inch && english ? " ($MEASUREMENT = 0), in which its pieces have a garment's size; the largest is "
+                                             : ", the only one in which its pieces have a garment's size; the largest is ") +
                   in_mm(e.largest * found->metres, 0),
-              "if that is wrong, set `units` in the recipe");
-  return found->metres;
+              "if that is wrong, give the unit (--units; `units` in a recipe)");
+  return FileUnits{found->name, found->metres, by};
 }
 
 }  // namespace toile::aama

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/dxf_aama/texts.h"
+#include "garment/pattern_file.h"
 #include "garment/report.h"
 
 namespace toile::aama {
@@ -23,8 +24,9 @@ struct UnitEvidence {
 // Metres per file unit. In this order: `override_unit`; the text "Units"; $INSUNITS; $MEASUREMENT = 1; size alone. A statement
 // is believed when the largest piece is then 150 mm .. 2.5 m and notches (1 .. 15 mm) and allowances (2 .. 80 mm) are too;
 // METRIC means mm, else cm, else m, the first that fits. The decision is the finding "aama.units" (a warning where METRIC is
-// not mm); when nothing or more than one unit fits, the error "aama.units-ambiguous" (Fault::ambiguous) asks.
-std::optional<double> decide_unit(const UnitEvidence& evidence, std::optional<double> override_unit, const std::string& name,
-                                  Report& report);
+// not mm); when nothing or more than one unit fits (of several inches where $MEASUREMENT = 0), the error "aama.units-ambiguous"
+// (Fault::ambiguous) asks.
+std::optional<FileUnits> decide_unit(const UnitEvidence& evidence, std::optional<double> override_unit, const std::string& name,
+                                     Report& report);
 
 }  // namespace toile::aama

@@ -40,6 +40,7 @@ struct PatternFile {
   FileUnits units;
   Pattern pattern;                   // of the size asked for, else the sample size
   std::vector<std::string> sizes;    // all the file holds, in its order, the sample size among them; empty: it names none
+  std::string sample_size;           // the one of `sizes` the others are graded from; pattern.sample_size says which it is
   std::string graded_by;             // "nest", "rules", or empty
   std::vector<Pattern> graded;       // one for each of `sizes`, with the same pieces, edges and points; empty without grading
   std::vector<PieceFacts> facts;     // one for each piece of `pattern`

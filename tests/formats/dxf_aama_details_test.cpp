@@ -92,7 +92,7 @@ TEST(AamaDetails, ReadsTheSampleSizeOfANest) {
   ASSERT_TRUE(loaded.value) << all_words(loaded.report);
   ASSERT_EQ(loaded.value->pieces.size(), 1u);
   EXPECT_NEAR(signed_area(loaded.value->pieces[0]), .38 * .6, 1e-9);
-  EXPECT_NE(find(loaded.report, "aama.sizes-ignored")->text.find("36, 40"), std::string::npos);
+  EXPECT_NE(find(loaded.report, "aama.nest")->text.find("36, 38, 40"), std::string::npos);
 }
 
 TEST(AamaDetails, TakesTheMarkedUpSizeWhenTheSampleSizeIsNotNamed) {

@@ -226,10 +226,18 @@ TEST(AamaReader, WarnsOfAnOutlineThatCrossesItself) {
   EXPECT_EQ(crossings(rectangle(0, 0, 400, 600)), 0);
 }
 
+TEST(AamaReader, NumbersPiecesOfOneName) {
+  const Loaded<Pattern> loaded = read(pattern_file(block("A", name + cut) + block("B", name + cut)));
+  ASSERT_TRUE(loaded.value) << all_words(loaded.report);
+  ASSERT_EQ(loaded.value->pieces.size(), 2u);
+  EXPECT_EQ(loaded.value->pieces[0].name, "front");
+  EXPECT_EQ(loaded.value->pieces[1].name, "front-2");
+  EXPECT_EQ(count(loaded.report, "aama.piece-renamed"), 1);
+}
+
 TEST(AamaReader, RefusesWhatIsNoPattern) {
   EXPECT_EQ(error_of(pattern_file("")).code, "aama.no-piece");
-  EXPECT_EQ(error_of(section("ENTITIES", polyline_on("0", rectangle(0, 0, 9, 9), true)) + tag(0, "EOF")).code, "aama.no-piece");
-  EXPECT_EQ(error_of(pattern_file(block("A", name + cut) + block("B", name + cut))).code, "aama.duplicate-piece");
+  EXPECT_EQ(error_of(section("ENTITIES", line_on("0", {0, 0}, {9, 9})) + tag(0, "EOF")).code, "aama.no-piece");
   EXPECT_EQ(error_of(pattern_file(block("A", polyline_on("1", {{0, 0}, {300, 0}, {300, 0}}, true)))).code, "aama.open-outline");
   const std::string file = pattern_file(block("A", cut));
   EXPECT_EQ(error_of(file.substr(0, file.size() / 2)).code, "dxf.truncated");

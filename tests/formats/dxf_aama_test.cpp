@@ -115,8 +115,8 @@ TEST(DxfAamaRoundTrip, ReadsTheSampleSizeOfTheNestItWrites) {
   ASSERT_TRUE(loaded.value) << all_words(loaded.report);
   ASSERT_EQ(loaded.value->pieces.size(), 1u);
   expect_same(band(.7), loaded.value->pieces[0]);
-  ASSERT_TRUE(find(loaded.report, "aama.sizes-ignored"));
-  EXPECT_NE(find(loaded.report, "aama.sizes-ignored")->text.find("40"), std::string::npos);
+  ASSERT_TRUE(find(loaded.report, "aama.nest"));
+  EXPECT_NE(find(loaded.report, "aama.nest")->text.find("40"), std::string::npos);
 }
 
 TEST(DxfAamaRoundTrip, WritesAPiecePlacedTwiceOnce) {

@@ -20,14 +20,14 @@ double unit(const Said& said, double largest, std::vector<double> notches = {}, 
   evidence.notch_depths = std::move(notches);
   evidence.allowances = std::move(allowances);
   Report report;
-  const std::optional<double> decided = decide_unit(evidence, {}, "x.dxf", report);
+  const std::optional<FileUnits> decided = decide_unit(evidence, {}, "x.dxf", report);
   EXPECT_EQ(report.ok(), decided.has_value());
   EXPECT_EQ(count(report, "aama.units"), decided ? 1 : 0);
   if (!decided) {
     const Finding* error = find(report, "aama.units-ambiguous");
     EXPECT_TRUE(error && error->fault == Fault::ambiguous && error->remedy.find("units") != std::string::npos);
   }
-  return decided.value_or(0);
+  return decided ? decided->in_metres : 0;
 }
 
 const Said metric{"METRIC", {}}, english{"English", {}}, nothing{"", {}};
@@ -74,7 +74,7 @@ TEST(AamaUnits, AskWhenAStatementContradictsTheSizes) {
 
 TEST(AamaUnits, DoAsTheyAreTold) {
   Report report;
-  EXPECT_EQ(decide_unit({}, 0.0254, "x.dxf", report), 0.0254);
+  EXPECT_EQ(decide_unit({}, 0.0254, "x.dxf", report), (FileUnits{"inch", 0.0254, "override"}));
   ASSERT_EQ(report.findings.size(), 1u);
   EXPECT_EQ(report.findings[0].code, "aama.units");
   EXPECT_EQ(report.findings[0].severity, Severity::note);
