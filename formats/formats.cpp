@@ -5,6 +5,7 @@
 #include "formats/garmentcode/garmentcode.h"
 #include "formats/obj/garment.h"
 #include "formats/seams/seams.h"
+#include "formats/svg_read/svg_read.h"
 
 namespace toile {
 namespace {
@@ -32,6 +33,14 @@ const PatternFormat formats[] = {
     {"OBJ with the pattern as texture coordinates", ".obj", [](std::string_view) { return false; },
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_obj_garment(file, options.unit_in_metres);
+     }},
+    {"SVG", ".svg", looks_like_svg,
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_svg(file, options.unit_in_metres, options.size);
+     }},
+    {"compressed SVG", ".svgz", [](std::string_view) { return false; },
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_svg(file, options.unit_in_metres, options.size);
      }},
 };
 

@@ -8,7 +8,7 @@
 namespace toile::svg {
 namespace {
 
-constexpr double tolerance = 5e-5;     // m, of sampled curves
+constexpr double tolerance = 8e-5;     // m, of sampled curves
 constexpr double farthest = 1e4;       // m
 constexpr int most_elements = 200000;  // uses counted as often as drawn
 constexpr std::size_t most_points = 3000000;

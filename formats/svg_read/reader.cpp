@@ -210,6 +210,7 @@ Loaded<PatternFile> read_svg_bytes(std::string_view bytes, const std::string& na
     return loaded;
   }
   check_size(largest_side(reading->grouping), reading->page, name, report);
+  if (!report.ok()) return loaded;
   PatternFile file;
   file.format = "SVG";
   file.dialect = reading->producer.dialect;
