@@ -149,6 +149,15 @@ TEST(DxfZoo, SaysDialectAuthorAndUnits) {
   EXPECT_EQ(aama.facts[0].sew_line_source, "cut line");
 }
 
+TEST(DxfZoo, AnOutlineOfTooManyPointsIsNamed) {
+  Xy many;
+  for (int i = 0; i < 20'001; ++i) many.emplace_back(300 * std::cos(2 * pi * i / 20'001), 300 * std::sin(2 * pi * i / 20'001));
+  const Loaded<PatternFile> loaded = read(pattern_file(block("A", name + polyline_on("1", many, true))));
+  EXPECT_FALSE(loaded.value);
+  ASSERT_TRUE(find(loaded.report, "dxf.too-large"));
+  EXPECT_NE(find(loaded.report, "dxf.too-large")->place.find("piece 'front'"), std::string::npos);
+}
+
 TEST(DxfZoo, HugeCoordinatesAndNoNumbersAreNamed) {
   for (const char* bad : {"1e308", "nan", "-inf", "1e10"}) {
     const Loaded<PatternFile> loaded = read(
