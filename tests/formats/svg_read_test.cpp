@@ -220,9 +220,9 @@ TEST(SvgRead, NothingDrawnIsSilentlyLost) {
   ASSERT_TRUE(loaded.value);
   std::string said;
   for (const Finding& finding : loaded.report.findings) said += in_words(finding) + "\n";
-  EXPECT_NE(said.find("1 pictures left out"), std::string::npos) << said;
-  EXPECT_NE(said.find("1 lines is in no piece"), std::string::npos) << said;
-  EXPECT_NE(said.find("1 uses of what is not in the file"), std::string::npos) << said;
+  EXPECT_NE(said.find("left out: 1 pictures"), std::string::npos) << said;
+  EXPECT_NE(said.find("left out: 1 lines"), std::string::npos) << said;
+  EXPECT_NE(said.find("left out: 1 uses of what is not in the file"), std::string::npos) << said;
 }
 
 TEST(SvgRead, ReadsByExtensionAndContent) {
