@@ -73,10 +73,12 @@ class Grouper {
   }
 
  private:
-  static int first_line(const PieceParts& piece) {
-    int line = INT32_MAX;
-    for (const Ring& ring : piece.rings) line = std::min(line, ring.line);
-    return line;
+  // As drawn, also where a file is all on one line.
+  static std::size_t first_line(const PieceParts& piece) {
+    std::size_t first = SIZE_MAX;
+    for (const Ring& ring : piece.rings)
+      for (const std::size_t line : ring.lines) first = std::min(first, line);
+    return first;
   }
 
   void assign(int owner, std::vector<std::size_t> PieceParts::*member, std::vector<std::size_t>& rest, std::size_t index) {
