@@ -115,6 +115,9 @@ class Reader {
       const std::vector<dxf::Entity> all = dxf::exploded(drawing_.entities, drawing_, name_, report_);
       blocks_ = aama::pieces_by_containment(all, name_, report_);
       style_ = aama::style_texts(all);
+      for (const dxf::Block& block : blocks_)  // what a piece took is not the style's
+        for (const dxf::Entity& entity : block.entities)
+          if (entity.kind == dxf::Kind::text) std::erase(style_.others, entity.text);
     }
     groups_ = aama::piece_groups(blocks_, style_, name_, report_);
     if (groups_.empty() && report_.ok())

@@ -104,6 +104,7 @@ TEST(DxfZoo, AFlatDrawingHasAPieceForEachOuterLine) {
   EXPECT_EQ(loaded.value->units.decided_by, "$INSUNITS");
   ASSERT_EQ(loaded.value->pattern.pieces.size(), 2u);
   EXPECT_EQ(loaded.value->pattern.pieces[0].name, "Front");
+  EXPECT_FALSE(find(loaded.report, "aama.style-text"));
   EXPECT_NEAR(signed_area(loaded.value->pattern.pieces[0]), .4 * .6, 1e-9);  // the inner line is the sew line
   EXPECT_EQ(loaded.value->facts[0].sew_line_source, "layer 8");
   EXPECT_EQ(loaded.value->pattern.pieces[1].internal_lines.size(), 1u);
