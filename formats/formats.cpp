@@ -24,8 +24,7 @@ bool looks_like_json(std::string_view bytes) {
 }
 
 const PatternFormat formats[] = {
-    {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf,
-     read_dxf_pattern},
+    {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf, read_dxf_pattern},
     {"GarmentCode JSON", ".json", looks_like_json,
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_garmentcode_file(file, options.unit_in_metres);
