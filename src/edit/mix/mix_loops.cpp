@@ -17,7 +17,6 @@ namespace toile {
 namespace {
 
 constexpr double beside_seam = 25e-3;  // m, lines this near to a seam are moved there
-constexpr double on_seam = 8e-3;       // m, likewise for lines that are meant to be where they are
 constexpr double within_reach = 0.10;  // m, a free edge this near is taken when the garment ends before the loop
 
 // The loops that a name means: its edges, or the line where its level cuts the garment.
@@ -49,12 +48,11 @@ std::vector<CutLoop> named_loops(const EditInput& input, const std::string& name
     }
     if (!best.empty()) loops.push_back({{}, std::move(best)});
   }
-  return moved_to_seams(input, loops, on_seam, place);
+  return moved_to_seams(input, loops, beside_seam, place);
 }
 
 // The line of `input` at the same place of the body as `curve`.
-CutLoop line_at(const EditInput& input, const std::vector<LimbAxis>& axes, const LimbCurve& curve, double beside,
-                const std::string& place) {
+CutLoop line_at(const EditInput& input, const std::vector<LimbAxis>& axes, const LimbCurve& curve, const std::string& place) {
   const Eigen::VectorXd far = beyond(input.body, axes, curve, input.drape);
   const auto off = [&](const std::vector<Eigen::Vector3d>& points) {
     double sum = 0;
@@ -68,7 +66,7 @@ CutLoop line_at(const EditInput& input, const std::vector<LimbAxis>& axes, const
   for (CutLine& line : cut_lines(input.garment.triangles, far))
     if (line.size() > longest.size() && limb_inside(input.body, axes, points_of(line, input.drape)) == curve.limb)
       longest = std::move(line);
-  if (!longest.empty()) return moved_to_seams(input, {{{}, longest}}, beside, place).front();
+  if (!longest.empty()) return moved_to_seams(input, {{{}, longest}}, beside_seam, place).front();
   VertexLoop best;
   double nearest = std::numeric_limits<double>::infinity();
   for (const VertexLoop& edge : boundary_loops(input.garment.triangles)) {
@@ -94,7 +92,7 @@ MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::s
   if (other_loop == "auto") {
     for (const CutLoop& own : loops.first)
       loops.second.push_back(
-          line_at(second, axes, limb_curve(first.body, axes, points_of(own, first.drape)), beside_seam, "edit 'mix', loop"));
+          line_at(second, axes, limb_curve(first.body, axes, points_of(own, first.drape)), "edit 'mix', loop"));
     return loops;
   }
   std::vector<CutLoop> named = named_loops(second, other_loop, "edit 'mix', other_loop");
@@ -139,8 +137,8 @@ MixLoops mix_loops_in(const EditInput& first, const EditInput& second, const std
       throw BadInput({"edit.bad-region", Severity::error, place, "the two ends of the region are not round the same limbs",
                       "name two loops or levels round the same limbs"});
     const RegionCut cut = cut_in_region(first, second, begin, *end, place);
-    loops.first.push_back(line_at(first, axes, cut.curve, on_seam, place));
-    loops.second.push_back(line_at(second, axes, cut.curve, beside_seam, place));
+    loops.first.push_back(line_at(first, axes, cut.curve, place));
+    loops.second.push_back(line_at(second, axes, cut.curve, place));
     const auto points = points_of(loops.first.back(), first.drape);
     double height = 0;
     for (const Eigen::Vector3d& point : points) height += point.y() / static_cast<double>(points.size());

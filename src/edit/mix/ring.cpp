@@ -150,7 +150,7 @@ std::vector<RingMatch> match(const Ring& a, const Ring& b, double meet) {
   const std::vector<Knot> met = knots;
   for (int k = 0; k < 8; ++k) {
     const double at = a.at_angle(k * turn / 8);
-    if (std::all_of(met.begin(), met.end(), [&](const Knot& knot) { return apart(knot.a, at, la) > 0.15 * la; }))
+    if (std::all_of(met.begin(), met.end(), [&](const Knot& knot) { return apart(knot.a, at, la) > 0.3 * la; }))
       knots.push_back({at, to_b(at)});
   }
   std::sort(knots.begin(), knots.end(), [](const Knot& x, const Knot& y) { return x.a < y.a; });
