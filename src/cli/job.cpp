@@ -8,6 +8,7 @@
 
 #include "body/parametric.h"
 #include "cli/exit_codes.h"
+#include "cli/proposed_seams.h"
 #include "cli/stuck.h"
 #include "cut/cut.h"
 #include "edit/arguments.h"
@@ -140,6 +141,11 @@ void load(Job& job, Progress& progress) {
   PatternFile read = take(read_pattern_file(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
   job.pattern = std::move(read.pattern);
   job.came_draped = std::move(read.drape);
+  if (wants_seams(job.pattern)) {
+    Report report;
+    job.pattern = with_proposed_seams(job.pattern, recipe.pattern.file, report);
+    add(job, report);
+  }
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
                     "Write a seams file beside it: " + recipe.pattern.file.stem().string() + ".seams.toml"});

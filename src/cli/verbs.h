@@ -25,5 +25,7 @@ Verb add_inspect(CLI::App& app);
 Verb add_edit(CLI::App& app);
 Verb add_grade(CLI::App& app);
 Verb add_bench(CLI::App& app);
+Verb add_sew(CLI::App& app);
+Verb add_check(CLI::App& app);
 
 }  // namespace toile

@@ -201,11 +201,12 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
   out.upright = out.layout > 0 ? 0 : by_upright(ea, eb);
   out.notches = by_notches(ea, eb);
   out.names = by_names(all, a, b, names, garment, out.rule);
+  const bool crotch = out.rule >= 0 && garment.seams[static_cast<std::size_t>(out.rule)].side_a == "crotch";
+  // Two armholes, two halves of a neck: alike because both are hollow. Only legs meet so, at the crotch.
+  if (std::min(hollow(ea), hollow(eb)) > .12 && !crotch) out.shape = -1.2;
   if (twins) {
-    const bool crotch = out.rule >= 0 && garment.seams[static_cast<std::size_t>(out.rule)].side_a == "crotch";
     out.lengths = std::min(out.lengths, .4);
-    // Two armholes, two halves of a neck: alike because they are mirror images. Only legs meet so, at the crotch.
-    out.shape = std::min(hollow(ea), hollow(eb)) > .12 && !crotch ? -1.2 : std::min(out.shape, .2);
+    out.shape = std::min(out.shape, .2);
   }
   return out;
 }

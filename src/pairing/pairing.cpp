@@ -14,6 +14,7 @@ namespace {
 std::size_t u(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int few_rounds = 3, many_rounds = 8;
+constexpr std::size_t many_edges = 48;
 constexpr double unused_role = .4, unplaced_piece = 4;  // nats
 constexpr double shapes_alone = .85;                    // of the confidence, without names
 
@@ -48,9 +49,12 @@ Attempt best_attempt(const Pattern& pattern, const std::vector<GarmentTemplate>&
   if (garments.empty()) return attempt_as(pattern, none, many_rounds);
   const GarmentTemplate* best = garments.front();
   if (garments.size() > 1) {
+    std::size_t edges = 0;
+    for (const Piece& piece : pattern.pieces) edges += piece.outline.size() * u(copies(piece));
+    const int rounds = edges > many_edges ? few_rounds : many_rounds;
     double most = -1e300;
     for (const GarmentTemplate* garment : garments) {
-      const double value = worth(attempt_as(pattern, *garment, few_rounds), pattern);
+      const double value = worth(attempt_as(pattern, *garment, rounds), pattern);
       if (value > most + 1e-9) {
         most = value;
         best = garment;
