@@ -201,6 +201,13 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
   out.upright = out.layout > 0 ? 0 : by_upright(ea, eb);
   out.notches = by_notches(ea, eb);
   out.names = by_names(all, a, b, names, garment, out.rule);
+  // Halves of a sleeve are drawn along the arm as often as hanging.
+  const auto on_arm = [&](const PanelEdge& edge) {
+    const int role = names[static_cast<std::size_t>(all.panels[static_cast<std::size_t>(edge.panel)].piece)].role;
+    return role >= 0 && on_limb(garment.roles[static_cast<std::size_t>(role)]) &&
+           garment.roles[static_cast<std::size_t>(role)].role == "sleeve";
+  };
+  if (ea.panel != eb.panel && on_arm(ea) && on_arm(eb)) out.upright = 0;
   const bool crotch = out.rule >= 0 && garment.seams[static_cast<std::size_t>(out.rule)].side_a == "crotch";
   // Two armholes, two halves of a neck: alike because both are hollow. Only legs meet so, at the crotch.
   if (std::min(hollow(ea), hollow(eb)) > .12 && !crotch) out.shape = -1.2;
