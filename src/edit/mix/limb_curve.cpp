@@ -72,7 +72,7 @@ int limb_inside(const Body& body, const std::vector<LimbAxis>& axes, const std::
     centre += line[i] / static_cast<double>(line.size());
   }
   const Threading through = threading(skeleton_chains(body.form), at, loop);
-  if (through.heads > 0 || through.feet + through.hands != 1) return 0;
+  if (through.heads > 0 || through.feet + through.hands > 1) return 0;
   int best = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < axes.size(); ++i) {

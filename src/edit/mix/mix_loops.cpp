@@ -53,7 +53,11 @@ std::vector<CutLoop> named_loops(const EditInput& input, const std::string& name
 
 // The line of `input` at the same place of the body as `curve`.
 CutLoop line_at(const EditInput& input, const std::vector<LimbAxis>& axes, const LimbCurve& curve, const std::string& place) {
-  const Eigen::VectorXd far = beyond(input.body, axes, curve, input.drape);
+  Eigen::VectorXd far = beyond(input.body, axes, curve, input.drape);
+  // What lies along an arm but is cloth of the trunk is not beyond its armhole.
+  const auto places = relative_places(input.body, input.drape, input.garment.triangles);
+  for (Eigen::Index v = 0; curve.limb != 0 && v < far.size(); ++v)
+    if (places[static_cast<std::size_t>(v)].limb != curve.limb) far(v) = -std::abs(far(v)) - 1e-4;
   const auto off = [&](const std::vector<Eigen::Vector3d>& points) {
     double sum = 0;
     for (const Eigen::Vector3d& point : points) {
