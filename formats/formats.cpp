@@ -5,6 +5,7 @@
 #include "formats/garmentcode/garmentcode.h"
 #include "formats/obj/garment.h"
 #include "formats/seams/seams.h"
+#include "formats/svg_read/svg_read.h"
 
 namespace toile {
 namespace {
@@ -23,8 +24,7 @@ bool looks_like_json(std::string_view bytes) {
 }
 
 const PatternFormat formats[] = {
-    {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf,
-     read_dxf_pattern},
+    {"DXF (AAMA, ASTM)", ".dxf", dxf::looks_like_dxf, read_dxf_pattern},
     {"GarmentCode JSON", ".json", looks_like_json,
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_garmentcode_file(file, options.unit_in_metres);
@@ -32,6 +32,14 @@ const PatternFormat formats[] = {
     {"OBJ with the pattern as texture coordinates", ".obj", [](std::string_view) { return false; },
      [](const std::filesystem::path& file, const PatternReadOptions& options) {
        return read_obj_garment(file, options.unit_in_metres);
+     }},
+    {"SVG", ".svg", looks_like_svg,
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_svg(file, options.unit_in_metres, options.size);
+     }},
+    {"compressed SVG", ".svgz", [](std::string_view) { return false; },
+     [](const std::filesystem::path& file, const PatternReadOptions& options) {
+       return read_svg(file, options.unit_in_metres, options.size);
      }},
 };
 

@@ -9,6 +9,7 @@
 namespace toile::dxf {
 namespace {
 
+constexpr std::size_t most_bytes = 256'000'000;
 constexpr int most_errors = 20;  // a file with more is hopeless, and its report unreadable
 
 class DrawingReader {
@@ -155,6 +156,11 @@ class DrawingReader {
 }  // namespace
 
 Loaded<Drawing> read_drawing(std::string_view bytes, const std::string& name) {
+  if (bytes.size() > most_bytes) {
+    Loaded<Drawing> loaded;
+    loaded.report.error("dxf.too-large", name, "a DXF of more than 256 MB", "export the pieces alone");
+    return loaded;
+  }
   Loaded<std::vector<Tag>> tags = read_tags(bytes, name);
   if (!tags.value) return {std::nullopt, std::move(tags.report)};
   return DrawingReader(*tags.value, name).read();

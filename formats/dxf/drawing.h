@@ -48,7 +48,7 @@ struct Drawing {
 // ELLIPSE and SPLINE splines (kind polyline, type as in the file); any other entity keeps its type and layer only
 // (Kind::other). An extrusion that looks from below mirrors. Errors: those of read_tags, "dxf.truncated" (a section, block or
 // polyline is not ended), "dxf.not-a-number" (a coordinate is no finite number of at most 1e9), "dxf.incomplete-entity",
-// "dxf.broken-tag". Warning "dxf.no-eof".
+// "dxf.broken-tag", "dxf.too-large" (256 MB). Warning "dxf.no-eof".
 Loaded<Drawing> read_drawing(std::string_view bytes, const std::string& name);
 
 // A polyline's points with its arcs or its spline replaced by chords no farther than `chord` (file units) from them.

@@ -26,6 +26,30 @@ bool drawn_alike(const std::vector<Run>& a, const std::vector<Run>& b) {
                     [](const Run& x, const Run& y) { return x.points.size() == y.points.size() && x.closed == y.closed; });
 }
 
+Eigen::Vector2d middle(const Points<2>& points) {
+  Vector2d low = points.front(), high = low;
+  for (const Vector2d& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (low + high) / 2;
+}
+
+// Whether a closed line with as many vertices begins at another corner: by their numbers the vertices would go much farther
+// than from corner to corner.
+bool begins_elsewhere(const std::vector<Run>& a, const std::vector<Run>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::vector<Chain> from = chains({a[i]}), to = chains({b[i]});
+    if (!a[i].closed || from.size() != 1 || to.size() != 1) continue;
+    const LineMatch match(from.front(), to.front());
+    const Vector2d shift = middle(b[i].points) - middle(a[i].points);
+    double by_number = 0, by_corner = 0;
+    for (std::size_t k = 0; k < a[i].points.size(); ++k) {
+      by_number += (b[i].points[k] - a[i].points[k] - shift).squaredNorm();
+      by_corner += (match(a[i].points[k]) - a[i].points[k] - shift).squaredNorm();
+    }
+    if (by_number > 4 * by_corner + 1e-4 * static_cast<double>(a[i].points.size())) return true;
+  }
+  return false;
+}
+
 Points<2> whole(const Run& run) { return run.closed ? closed_polyline(run.points) : run.points; }
 
 // The lines of one kind in one size, each as the sample size's vertices; nothing when they cannot be told apart.
@@ -122,7 +146,7 @@ GradedLines nest_lines(const DrawnPiece& sample, const std::vector<const DrawnPi
     bool complete = true;
     for (std::size_t s = 0; s < sizes.size() && complete; ++s) {
       const std::vector<Run>& other = sizes[s]->*kind;
-      if (drawn_alike(runs, other)) {
+      if (drawn_alike(runs, other) && !begins_elsewhere(runs, other)) {
         for (std::size_t i = 0; i < runs.size(); ++i) lines[i].in_size.push_back(whole(other[i]));
       } else if (const auto moved = along(runs, other)) {
         for (std::size_t i = 0; i < runs.size(); ++i) lines[i].in_size.push_back((*moved)[i]);

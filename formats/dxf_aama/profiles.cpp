@@ -10,6 +10,13 @@ const DxfProfile* find_dxf_profile(std::string_view name) {
   return nullptr;
 }
 
+CutSheet with_notches_as_drawn(CutSheet sheet) {
+  for (PlacedPiece& placed : sheet.placed)
+    for (std::size_t n = 0; n < std::min(placed.cut.notches.size(), placed.cut.piece.notches.size()); ++n)
+      placed.cut.notches[n].notch = placed.cut.piece.notches[n];
+  return sheet;
+}
+
 Report dxf_losses(const CutSheet& sheet, const DxfProfile& profile) {
   Report report;
   const auto lost = [&](const char* code, const char* text, const char* remedy, const auto& has) {

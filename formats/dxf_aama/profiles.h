@@ -44,6 +44,9 @@ const DxfProfile* find_dxf_profile(std::string_view name);
 // `dxf_aama_bytes` in another profile. `rules`: name of the grade rule table that the numbers of the points are of.
 std::string dxf_bytes(const CutSheet& sheet, const DxfProfile& profile, const std::string& rules = {});
 
+// Notches as deep and wide as the pattern has them, also where the allowance leaves no room to snip: a file carries them as data.
+CutSheet with_notches_as_drawn(CutSheet sheet);
+
 // What the profile cannot hold of the sheet: "dxf.notch-kinds" (types told apart by depth alone), "dxf.hem" and others.
 Report dxf_losses(const CutSheet& sheet, const DxfProfile& profile);
 

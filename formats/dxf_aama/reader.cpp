@@ -48,6 +48,23 @@ void add_evidence(aama::UnitEvidence& evidence, const DrawnPiece& piece) {
     if (gap > 1e-6 * all.sizes().maxCoeff()) evidence.allowances.push_back(gap);
 }
 
+// More than any pattern piece has; reading it would take minutes.
+const char* too_much_in(const DrawnPiece& piece) {
+  std::size_t vertices = 0, runs = 0;
+  for (const auto* lines : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew, &piece.internal_lines,
+                            &piece.dense_internal_lines, &piece.cut_outs, &piece.dense_cut_outs, &piece.grain, &piece.mirror}) {
+    runs += lines->size();
+    for (const aama::Run& run : *lines) {
+      vertices += run.points.size();
+      if (run.points.size() > 20'000) return "a line of more than 20000 points";
+    }
+  }
+  if (vertices > 60'000) return "more than 60000 points";
+  if (runs > 10'000) return "more than 10000 lines";
+  if (piece.points.size() + piece.grade_rules.size() > 60'000) return "more than 60000 marked points";
+  return piece.notches.size() + piece.drill_holes.size() > 5'000 ? "more than 5000 notches and drill holes" : nullptr;
+}
+
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -98,6 +115,9 @@ class Reader {
       const std::vector<dxf::Entity> all = dxf::exploded(drawing_.entities, drawing_, name_, report_);
       blocks_ = aama::pieces_by_containment(all, name_, report_);
       style_ = aama::style_texts(all);
+      for (const dxf::Block& block : blocks_)  // what a piece took is not the style's
+        for (const dxf::Entity& entity : block.entities)
+          if (entity.kind == dxf::Kind::text) std::erase(style_.others, entity.text);
     }
     groups_ = aama::piece_groups(blocks_, style_, name_, report_);
     if (groups_.empty() && report_.ok())
@@ -146,6 +166,10 @@ class Reader {
     aama::Sorted sorted;
     for (const PieceGroup& group : groups_) {
       samples_.push_back(drawn(group, group.sample_block(), file_.units.in_metres, sorted));
+      if (const char* much = too_much_in(samples_.back())) {
+        report_.error("dxf.too-large", samples_.back().place(), std::string("it has ") + much, "export it with fewer points");
+        return false;
+      }
       std::optional<aama::MadePiece> made = aama::make_piece(samples_.back(), report_);
       if (!made) continue;
       pattern.pieces.push_back(std::move(made->piece));
@@ -211,6 +235,11 @@ class Reader {
           sizes.push_back(&samples_[i]);
         } else {
           others.push_back(drawn(group, *block, file_.units.in_metres, ignored));
+          if (const char* much = too_much_in(others.back())) {
+            report_.error("dxf.too-large", others.back().place(), std::string("in size ") + size + " it has " + much,
+                          "export it with fewer points");
+            return;
+          }
           sizes.push_back(&others.back());
         }
       }

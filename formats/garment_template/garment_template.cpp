@@ -129,8 +129,8 @@ void side_at(const TomlNode& table, const char* key, const GarmentTemplate& garm
   const std::size_t dot = text.rfind('.');
   role = text.substr(0, dot);
   side = dot == std::string::npos ? "any" : text.substr(dot + 1);
-  if (side != "top" && side != "bottom" && side != "side" && side != "upright" && side != "any")
-    reading.bad(*node, "'" + side + "' is no side of a piece", "The sides are top, bottom, side, upright and any");
+  if (side != "top" && side != "bottom" && side != "side" && side != "upright" && side != "crotch" && side != "any")
+    reading.bad(*node, "'" + side + "' is no side of a piece", "The sides are top, bottom, side, upright, crotch and any");
   if (std::none_of(garment.roles.begin(), garment.roles.end(), [&](const PieceRole& r) { return r.role == role; }))
     reading.report.error("garment-template.unknown-role", toml_place(reading.file, *node),
                          "no [[piece]] has the role '" + role + "'", "Name a role of this file");

@@ -10,14 +10,26 @@ namespace {
 using Eigen::Vector2d;
 using Line = std::vector<Vector2d>;
 
-constexpr double exact = 1e-7;  // m
-constexpr int rounds = 30;      // of moving parameters to the nearest places
-constexpr double wildest = 3;   // chord lengths that a control point may lie off
+constexpr double exact = 1e-7;          // m
+constexpr double chord_error = .05e-3;  // m, as curves.h samples
+constexpr int rounds = 30;              // of moving parameters to the nearest places
+constexpr double wildest = 3;           // chord lengths that a control point may lie off
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 void note(FittedCurve& fit, std::size_t i, double departure) {
   if (departure > fit.departure) fit.departure = departure, fit.farthest = i;
+}
+
+// What the curve does between two points counts beyond what a chord of a sampled curve leaves aside.
+void note_between(FittedCurve& fit, std::size_t i, std::size_t last, double departure) {
+  if (departure > chord_error) note(fit, i < last ? i : i - 1, departure - chord_error);
+}
+
+double off_chord(const Vector2d& p, const Vector2d& from, const Vector2d& to) {
+  const Vector2d along = to - from;
+  const double at = std::clamp(along.dot(p - from) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
+  return (from + at * along - p).norm();
 }
 
 FittedCurve as_line(const Line& points) {
@@ -49,6 +61,7 @@ FittedCurve as_circle(const Line& points) {
     const Vector2d from = points[i - 1] - centre, to = points[i] - centre;
     const double step = std::atan2(cross(from, to), from.dot(to));
     if ((step > 0) != fit.right) note(fit, i, 1e300);
+    note_between(fit, i, points.size() - 1, fit.radius * (1 - std::cos(step / 2)));
     sweep += step;
   }
   fit.large = std::abs(sweep) > 3.14159265358979323846;
@@ -98,6 +111,8 @@ FittedCurve as_bezier(const Line& points, int degree, std::vector<double> t, int
     control = solved(points, t, degree);
   }
   for (std::size_t i = 1; i + 1 < points.size(); ++i) note(fit, i, (at(control, t[i]) - points[i]).norm());
+  for (std::size_t i = 1; i < points.size(); ++i)
+    note_between(fit, i, points.size() - 1, off_chord(at(control, (t[i - 1] + t[i]) / 2), points[i - 1], points[i]));
   fit.control.assign(control.begin() + 1, control.end() - 1);
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();

@@ -1,5 +1,6 @@
 #include "formats/svg/write_svg.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "formats/formats.h"
@@ -48,6 +49,36 @@ std::vector<Vector2d> places(const std::vector<OutlinePoint>& points) {
   return at;
 }
 
+// With all digits: fractions and angles are not lengths.
+std::string exact(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& one : lines) text += (text.empty() ? "" : "\n") + one;
+  return text;
+}
+
+const char* in_word(NotchKind kind) {
+  switch (kind) {
+    case NotchKind::slit:
+      return "slit";
+    case NotchKind::v:
+      return "v";
+    case NotchKind::t:
+      return "t";
+    case NotchKind::castle:
+      return "castle";
+    case NotchKind::check:
+      return "check";
+    case NotchKind::u:
+      return "u";
+  }
+  return "slit";
+}
+
 std::string seams_of(const CutSheet& sheet, const std::string& piece, const std::string& edge) {
   std::string names;
   for (std::size_t i = 0; i < sheet.seams.size(); ++i) {
@@ -62,12 +93,16 @@ std::string seams_of(const CutSheet& sheet, const std::string& piece, const std:
 class PieceDrawing {
  public:
   PieceDrawing(XmlText& xml, const CutSheet& sheet, const PlacedPiece& placed, const SheetStyle& style, double bottom)
-      : xml_(xml), sheet_(sheet), cut_(placed.cut), style_(style), page_(on_page(placed, bottom)) {}
+      : xml_(xml), sheet_(sheet), cut_(placed.cut), style_(style), page_(on_page(placed, bottom)), turn_(placed.turn) {}
 
   void draw() {
     const Piece& piece = cut_.piece;
     xml_.open("g").with("data-type", "piece").with("data-piece", piece.name).with("data-size", cut_.size);
     xml_.with("data-quantity", std::to_string(piece.quantity)).with("data-mirrored", std::to_string(piece.mirrored_quantity));
+    xml_.with("data-shift", in_digits(page_.shift.x() * mm_per_m) + " " + in_digits(page_.shift.y() * mm_per_m));
+    if (turn_ != 0) xml_.with("data-turn", exact(turn_ / units::degree));
+    if (!piece.material.empty()) xml_.with("data-material", piece.material);
+    if (!piece.annotations.empty()) xml_.with("data-annotations", joined(piece.annotations));
     if (style_.cut.shown) line("cut", style_.cut, path_data(page_.all(places(cut_.cut_line)), true)).close();
     if (style_.sew.shown) sew_lines();
     if (style_.internal.shown)
@@ -78,7 +113,9 @@ class PieceDrawing {
     if (style_.notch.shown) notches();
     if (style_.drill.shown)
       for (const DrillHole& hole : piece.drill_holes)
-        line("drill", style_.drill, crossed_circle(page_(hole.at), hole.diameter > 0 ? hole.diameter * mm_per_m : 3)).close();
+        line("drill", style_.drill, crossed_circle(page_(hole.at), hole.diameter > 0 ? hole.diameter * mm_per_m : 3))
+            .with("data-diameter", hole.diameter * mm_per_m)
+            .close();
     if (style_.turn_points.shown) turn_points();
     if (style_.grain.shown && piece.grainline) grain(*piece.grainline);
     label();
@@ -95,6 +132,8 @@ class PieceDrawing {
       line("sew", style_.sew, path_data(page_.all(places(edge.points)), false)).with("data-edge", edge.id);
       const std::string seams = seams_of(sheet_, cut_.piece.name, edge.id);
       if (!seams.empty()) xml_.with("data-seam", seams);
+      if (edge.seam_allowance) xml_.with("data-allowance", *edge.seam_allowance * mm_per_m);
+      if (edge.hem) xml_.with("data-hem", "true");
       xml_.close();
     }
   }
@@ -102,7 +141,9 @@ class PieceDrawing {
   void notches() {
     for (const CutNotch& notch : cut_.notches) {
       line("notch", style_.notch, notch_path(page_(notch.at), page_.direction(notch.direction), notch.notch));
-      xml_.with("data-edge", notch.notch.edge).with("data-at", notch.notch.at).close();
+      xml_.with("data-edge", notch.notch.edge).with("data-at", exact(notch.notch.at));
+      xml_.with("data-kind", in_word(notch.notch.kind)).with("data-depth", notch.notch.depth * mm_per_m);
+      xml_.with("data-width", notch.notch.width * mm_per_m).close();
     }
   }
 
@@ -179,6 +220,7 @@ class PieceDrawing {
   const CutPiece& cut_;
   const SheetStyle& style_;
   OnPage page_;
+  double turn_;  // radians
 };
 
 }  // namespace

@@ -8,26 +8,13 @@
 namespace toile::svg {
 namespace {
 
-constexpr double tolerance = 5e-5;     // m, of sampled curves
-constexpr double farthest = 1e4;       // m
-constexpr int most_elements = 200000;  // uses counted as often as drawn
+constexpr double tolerance = 8e-5, farthest = 1e4;  // m: of sampled curves; of coordinates
+constexpr int most_elements = 100000;               // uses counted as often as drawn
 constexpr std::size_t most_points = 3000000;
 constexpr int deepest_use = 12;
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
-}
-
-Names names_of(const Element& element) {
-  Names names{element.name, element.get("id"), {}, split(element.get("class"), " \t\r\n"), {}, element.line};
-  for (const char* key : {"inkscape:label", "aria-label", "data-name"})
-    if (names.label.empty()) names.label = element.get(key);
-  for (const Element& child : element.children)
-    if (names.label.empty() && child.name == "title" && element.name != "svg")
-      for (const Element& text : child.children) names.label += text.text;
-  for (const auto& [key, value] : element.attributes)
-    if (key.compare(0, 5, "data-") == 0) names.data[key.substr(5)] = value;
-  return names;
 }
 
 struct Scope {
@@ -85,7 +72,7 @@ class Walker {
                          "script", "linearGradient", "radialGradient", "filter", "namedview", "font"}))
       return;
     if (++elements_ > most_elements)
-      return stop("svg.too-many-elements", element, "the file draws more than 200000 elements", "take decoration out of it");
+      return stop("svg.too-many-elements", element, "the file draws more than 100000 elements", "take decoration out of it");
     way_.push_back(&element);
     Scope scope = outer;
     scope.style = sheet_.style_of(way_, outer.style);
@@ -116,7 +103,6 @@ class Walker {
   }
 
   void leave_out(const std::string& what) { ++drawing_.left_out[what]; }
-
   void group(const Element& element, Scope scope) {
     const bool layer = element.get("inkscape:groupmode") == "layer";
     drawing_.groups.push_back({names_of(element), scope.group, layer});
@@ -306,21 +292,6 @@ class Walker {
 };
 
 }  // namespace
-
-bool Names::has_class(const std::string& name) const {
-  return std::find(classes.begin(), classes.end(), name) != classes.end();
-}
-
-std::string Names::datum(const std::string& key) const {
-  const auto found = data.find(key);
-  return found == data.end() ? std::string() : found->second;
-}
-
-bool Drawing::within(int group, int ancestor) const {
-  for (; group >= 0; group = groups[static_cast<std::size_t>(group)].parent)
-    if (group == ancestor) return true;
-  return false;
-}
 
 Drawing drawing_of(const Element& root, const Affine& to_metres, const std::string& name, Report& report) {
   return Walker(root, name, report).draw(root, to_metres);

@@ -23,6 +23,8 @@ struct Names {
   std::string datum(const std::string& key) const;  // empty when absent
 };
 
+Names names_of(const Element& element);
+
 struct Group {
   Names names;
   int parent = -1;  // index into Drawing::groups

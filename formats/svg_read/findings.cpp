@@ -16,6 +16,7 @@ void append_in_svg_words(const Report& from, Report& to) {
       {"aama.notch-off-outline", "move the notch to the outline"},
   };
   for (Finding finding : from.findings) {
+    if (finding.code == "aama.points") continue;  // counts what a DXF marks; here every point is marked by the reader itself
     if (const auto remedy = remedies.find(finding.code); remedy != remedies.end()) finding.remedy = remedy->second;
     for (const char* words : {" on layer 14", " on layer 1", " on layer 8", " on layer 7", " on layer 6"})
       if (const std::size_t at = finding.text.find(words); at != std::string::npos)

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "formats/dxf_aama/chains.h"
+#include "formats/svg_read/rings.h"
 #include "garment/units.h"
 
 namespace toile::svg {
@@ -16,34 +17,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double least_piece = 3e-4;  // m^2
-constexpr double touching = 5e-4;     // m
 constexpr double largest = 20;        // m
 constexpr double beside = 15e-3;      // m, how far outside its piece a mark may stand
-constexpr std::size_t most_to_join = 2000;
-
-struct Box {
-  Vector2d low, high;
-  explicit Box(const Points<2>& points) : low(points.front()), high(points.front()) {
-    for (const Vector2d& p : points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
-  bool within(const Box& other, double slack) const {
-    return (low - other.low).minCoeff() >= -slack && (other.high - high).minCoeff() >= -slack;
-  }
-};
+constexpr std::size_t most_to_join = 2000, most_rings = 4000, most_vertices = 10000;
 
 bool is_outline_role(Role role) { return role == Role::unknown || role == Role::cut || role == Role::sew; }
-
-void orient(Ring& ring) {
-  ring.area = aama::signed_area(ring.points);
-  if (ring.area < 0) {
-    std::reverse(ring.points.begin(), ring.points.end());
-    std::reverse(ring.bends.begin(), ring.bends.end());
-    ring.area = -ring.area;
-  }
-}
 
 // The bends of a chain's points as they were in the lines it is made of; unknown where two of them join.
 std::vector<Bend> bends_of(const Points<2>& points, const std::vector<const DrawnLine*>& lines) {
@@ -57,20 +35,6 @@ std::vector<Bend> bends_of(const Points<2>& points, const std::vector<const Draw
     bends.push_back(found == known.end() ? Bend::unknown : found->second);
   }
   return bends;
-}
-
-// Most of `inner` lies in `outer`, and none of it far outside.
-bool is_within(const Ring& inner, const Ring& outer) {
-  if (inner.area > outer.area * (1 + 1e-9) || !Box(inner.points).within(Box(outer.points), beside)) return false;
-  std::size_t inside = 0;
-  for (const Vector2d& p : inner.points)
-    inside += contains(outer.points, p) || aama::distance_to_ring(outer.points, p) <= touching;
-  return static_cast<double>(inside) >= .85 * static_cast<double>(inner.points.size());
-}
-
-bool is_upright_rectangle(const Ring& ring) {
-  const Box box(ring.points);
-  return ring.area > .999 * (box.high - box.low).prod();
 }
 
 class Grouper {
@@ -109,10 +73,12 @@ class Grouper {
   }
 
  private:
-  static int first_line(const PieceParts& piece) {
-    int line = INT32_MAX;
-    for (const Ring& ring : piece.rings) line = std::min(line, ring.line);
-    return line;
+  // As drawn, also where a file is all on one line.
+  static std::size_t first_line(const PieceParts& piece) {
+    std::size_t first = SIZE_MAX;
+    for (const Ring& ring : piece.rings)
+      for (const std::size_t line : ring.lines) first = std::min(first, line);
+    return first;
   }
 
   void assign(int owner, std::vector<std::size_t> PieceParts::*member, std::vector<std::size_t>& rest, std::size_t index) {
@@ -149,6 +115,13 @@ class Grouper {
                    "a closed line of " + in_mm((box.high - box.low).maxCoeff(), 0) + " is left out: nobody cuts that",
                    "correct the seam allowance of this piece in the program it comes from");
       for (const std::size_t i : ring.lines) used_[i] = true;
+      return;
+    }
+    if (ring.points.size() > most_vertices || rings.size() >= most_rings) {
+      if (report_.ok())
+        report_.error("svg.too-many-points", name_ + ":" + std::to_string(ring.line),
+                      rings.size() >= most_rings ? "more than 4000 closed lines" : "a closed line of more than 10000 points",
+                      "take decoration out of the drawing, or simplify the line");
       return;
     }
     orient(ring);
@@ -306,17 +279,6 @@ class Grouper {
 };
 
 }  // namespace
-
-bool contains(const Points<2>& ring, const Eigen::Vector2d& at) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vector2d& a = ring[i];
-    const Vector2d& b = ring[(i + 1) % ring.size()];
-    if ((a.y() > at.y()) != (b.y() > at.y()) && at.x() < a.x() + (at.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-      inside = !inside;
-  }
-  return inside;
-}
 
 Grouping grouped(const Drawing& drawing, const std::vector<Role>& roles, const Producer& producer, const Page& page,
                  const std::string& name, Report& report) {

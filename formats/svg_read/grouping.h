@@ -5,20 +5,10 @@
 #include <vector>
 
 #include "formats/svg_read/line_roles.h"
+#include "formats/svg_read/rings.h"
 #include "garment/report.h"
 
 namespace toile::svg {
-
-// A closed line: one drawn so, or several open ones that meet.
-struct Ring {
-  Points<2> points;         // counter-clockwise, no repeated point
-  std::vector<Bend> bends;  // by point
-  Role role = Role::unknown;
-  bool dashed = false;
-  std::vector<std::size_t> lines;  // of the drawing
-  int line = 0;                    // of the file
-  double area = 0;                 // m^2
-};
 
 struct PieceParts {
   int group = -1;                  // its own group, when the file has one for each piece
@@ -36,7 +26,5 @@ struct Grouping {
 // pieces. Warnings "svg.far-out" for closed lines larger than 20 m, "svg.no-outline" for groups without one.
 Grouping grouped(const Drawing& drawing, const std::vector<Role>& roles, const Producer& producer, const Page& page,
                  const std::string& name, Report& report);
-
-bool contains(const Points<2>& ring, const Eigen::Vector2d& at);
 
 }  // namespace toile::svg

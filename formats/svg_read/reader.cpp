@@ -49,8 +49,7 @@ void report_outside(const Drawing& drawing, const std::vector<Role>& roles, cons
   for (const std::size_t i : grouping.texts) count("texts", drawing.texts[i].names.line);
   for (const std::size_t i : grouping.marks) count("marks", drawing.marks[i].names.line);
   for (const auto& [kind, found] : kinds) {
-    const std::string text =
-        std::to_string(found.first) + " " + kind + (found.first == 1 ? " is" : " are") + " in no piece and left out";
+    const std::string text = "in no piece and left out: " + std::to_string(found.first) + " " + kind;
     const std::string place = name + ":" + std::to_string(found.second);
     if (kind == "lines" || kind == "marks")
       report.warn("svg.outside", place, text, "put them inside an outline, or group them with it");
@@ -58,7 +57,7 @@ void report_outside(const Drawing& drawing, const std::vector<Role>& roles, cons
       report.note("svg.outside", place, text);
   }
   for (const auto& [kind, many] : drawing.left_out) {
-    const std::string text = std::to_string(many) + " " + kind + " left out";
+    const std::string text = "left out: " + std::to_string(many) + " " + kind;
     if (kind == "pictures" || kind == "foreign objects" || kind == "uses of what is not in the file")
       report.warn("svg.left-out", name, text, "draw what they show as lines");
     else
@@ -210,6 +209,7 @@ Loaded<PatternFile> read_svg_bytes(std::string_view bytes, const std::string& na
     return loaded;
   }
   check_size(largest_side(reading->grouping), reading->page, name, report);
+  if (!report.ok()) return loaded;
   PatternFile file;
   file.format = "SVG";
   file.dialect = reading->producer.dialect;

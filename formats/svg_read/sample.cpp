@@ -58,10 +58,16 @@ Points<2> curve_points(const Segment& s, double tolerance) {
   const int least = std::clamp(static_cast<int>(std::ceil(std::sqrt(.75 * bend / (tolerance / 8)))), 8, 2000);
   Points<2> dense;
   for (int i = 0; i <= least; ++i) dense.push_back(at(static_cast<double>(i) / least));
-  for (int count = 2; count < least; count += 1 + count / 8) {
+  const double total = polyline_length<2>(dense);
+  for (int count = 2; count < least && total > 0; count += 1 + count / 8) {
     Points<2> points = resample<2>(dense, count);
-    const bool near = std::all_of(dense.begin(), dense.end(),
-                                  [&](const Vector2d& p) { return nearest_on<2>(points, p).distance <= tolerance; });
+    double along = 0;
+    bool near = true;
+    for (std::size_t i = 1; near && i < dense.size(); ++i) {
+      along += (dense[i] - dense[i - 1]).norm();
+      const auto part = std::min(static_cast<std::size_t>(along / total * count), points.size() - 2);
+      near = off_chord(dense[i], points[part], points[part + 1]) <= tolerance;
+    }
     if (!near) continue;
     points.back() = s.to;
     return points;

@@ -71,6 +71,30 @@ FindBody body_finder(const Job& job, const InputFiles& files) {
   };
 }
 
+// Patterns beside the recipe, worn as the recipe's own. Each is worn once on each body.
+FindGarment garment_finder(const Job& job) {
+  struct Made {
+    std::string file, body;
+    std::shared_ptr<const WornGarment> garment;
+  };
+  return [&job, made = std::make_shared<std::vector<Made>>()](const std::string& file, const Body& body,
+                                                              const std::string& place) {
+    for (const Made& known : *made)
+      if (known.file == file && known.body == body.form.name) return known.garment;
+    const auto path = job.recipe_file.parent_path() / file;
+    const Pattern pattern = value_or_throw(read_pattern(path, {std::nullopt, seams_beside(path)}));
+    if (pattern.seams.empty())
+      throw BadInput({"pattern.no-seams", Severity::error, place, "nothing says what is sewn to what in '" + file + "'",
+                      "Write a seams file beside it: " + path.stem().string() + ".seams.toml"});
+    const auto& [simulator, edge_length, tolerance] = job.recipe.drape;
+    Scene scene{body, job.scene.fabric, job.scene.simulator, job.scene.hem};
+    Worn worn = wear(pattern, scene, edge_length, tolerance);
+    for (Finding& finding : worn.report.findings) finding.place = file + ", " + finding.place;
+    made->push_back({file, body.form.name, std::make_shared<const WornGarment>(as_worn(std::move(worn), edge_length))});
+    return made->back().garment;
+  };
+}
+
 // Before the drape, which takes its time: what can be known to be wrong with the edits as written.
 void check_written(const std::vector<Edit>& edits, const FindBody& find_body) {
   for (const Edit& edit : edits) try {
@@ -111,6 +135,7 @@ void load(Job& job, Progress& progress) {
   progress.begin("read");
   const InputFiles files = input_files(job.recipe_file, recipe);
   job.scene.find_body = body_finder(job, files);
+  job.scene.find_garment = garment_finder(job);
   check_written(recipe.edits, job.scene.find_body);
   PatternFile read = take(read_pattern_file(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
   job.pattern = std::move(read.pattern);

@@ -3,7 +3,7 @@
 namespace toile {
 
 std::vector<Verb> add_verbs(CLI::App& app) {
-  return {add_run(app), add_drape(app), add_inspect(app), add_edit(app), add_grade(app), add_bench(app)};
+  return {add_run(app), add_drape(app), add_inspect(app), add_convert(app), add_edit(app), add_grade(app), add_bench(app)};
 }
 
 }  // namespace toile

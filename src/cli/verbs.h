@@ -20,6 +20,7 @@ std::vector<Verb> add_verbs(CLI::App& app);
 
 Verb add_run(CLI::App& app);
 Verb add_drape(CLI::App& app);
+Verb add_convert(CLI::App& app);
 Verb add_inspect(CLI::App& app);
 Verb add_edit(CLI::App& app);
 Verb add_grade(CLI::App& app);

@@ -34,12 +34,25 @@ struct BodyName {
 // Makes it; throws BadInput. `place` is for messages.
 using FindBody = std::function<std::shared_ptr<const Body>(const BodyName& name, const std::string& place)>;
 
+// Another garment, sewn and hanging on the same body, of the same fabric.
+struct WornGarment {
+  Pattern pattern;
+  GarmentMesh garment;
+  Eigen::Matrix3Xd drape;
+  double edge_length = 12e-3;  // m, that it was meshed with
+  Report report;               // of its drape
+};
+// Wears the pattern file on the body; throws BadInput. `place` is for messages.
+using FindGarment =
+    std::function<std::shared_ptr<const WornGarment>(const std::string& file, const Body& body, const std::string& place)>;
+
 struct EditInput {
   const Pattern& pattern;
   const GarmentMesh& garment;
   const Eigen::Matrix3Xd& drape;  // source positions
   const Body& body;
-  FindBody find_body = {};  // for operations that name another body; without it they are refused
+  FindBody find_body = {};        // for operations that name another body; without it they are refused
+  FindGarment find_garment = {};  // likewise another garment
 };
 
 using EditArguments = std::map<std::string, std::string>;  // as written: {"loop", "hem"}, {"by", "-10 cm"}

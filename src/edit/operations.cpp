@@ -1,12 +1,13 @@
 #include "edit/fit/fit.h"
 #include "edit/grade/grade.h"
 #include "edit/length/length.h"
+#include "edit/mix/mix.h"
 #include "edit/operation.h"
 
 namespace toile {
 
 const std::vector<EditOperation>& operations() {
-  static const std::vector<EditOperation> list{length_operation(), fit_operation(), grade_operation()};
+  static const std::vector<EditOperation> list{length_operation(), fit_operation(), grade_operation(), mix_operation()};
   return list;
 }
 

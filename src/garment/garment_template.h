@@ -35,7 +35,7 @@ struct SeamRule {
   std::string name;            // "side", "armhole"
   std::string role_a, role_b;  // as in PieceRole
   std::string side_a, side_b;  // "top", "bottom", "side", "any": which way the edge looks when the piece hangs; "upright": it hangs
-                               // straight down
+                               // straight down; "crotch": hollow, or from the waist down
   Kinship face = Kinship::any;
   Kinship hand = Kinship::any;  // left or right of the wearer
   bool once = false;            // two pieces are sewn so along one line only

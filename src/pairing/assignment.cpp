@@ -280,7 +280,8 @@ std::vector<double> margins(const Problem& problem, const Assignment& found) {
       const bool touches = std::any_of(move.begin(), move.end(), [&](const auto& m) {
         return m.first == a || m.first == b || m.second == a || m.second == b;
       });
-      const bool same = std::any_of(move.begin(), move.end(), [&](const auto& m) { return m.first == a && m.second == b; });
+      const bool same = std::any_of(move.begin(), move.end(),
+                                    [&](const auto& m) { return std::minmax(m.first, m.second) == std::minmax(a, b); });
       if (!touches || same) continue;
       mates = found.mates;
       sew(mates, move);

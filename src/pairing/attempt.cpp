@@ -1,5 +1,7 @@
 #include "pairing/attempt.h"
 
+#include <algorithm>
+
 #include "pairing/chains.h"
 #include "pairing/evidence.h"
 #include "pairing/symmetry.h"
@@ -8,6 +10,10 @@ namespace toile {
 namespace {
 
 std::size_t u(int i) { return static_cast<std::size_t>(i); }
+
+bool goes_round(const PieceRole& role) {
+  return std::any_of(role.places.begin(), role.places.end(), [](const RolePlace& place) { return place.at.grain_round; });
+}
 
 }  // namespace
 
@@ -42,7 +48,9 @@ Attempt attempt_as(const Pattern& pattern, const GarmentTemplate& garment, int r
   out.garment = &garment;
   out.names = names_of(pattern, garment);
   for (const PieceName& name : out.names) out.sewn.push_back(name.role < 0 || !garment.roles[u(name.role)].extra);
-  out.all = panel_edges(pattern, out.sewn);
+  std::vector<bool> bands;
+  for (const PieceName& name : out.names) bands.push_back(name.role >= 0 && goes_round(garment.roles[u(name.role)]));
+  out.all = panel_edges(pattern, out.sewn, bands);
   pose(out);
   out.found = assign(out.problem, rounds);
   if (share_out(pattern, out)) out.found = assign(out.problem, 2, out.found.mates);

@@ -27,6 +27,14 @@ struct Chain {
 
 double length_of(const Attempt& attempt, int edge) { return attempt.all.edges[u(edge)].length; }
 
+// Mirror images have the same corners: none of their edges is shared out between the two.
+bool of_twins(const Attempt& attempt, int a, int b) {
+  const int image = attempt.problem.image[u(a)];
+  const int panel = attempt.all.edges[u(a)].panel;
+  return image >= 0 && attempt.all.edges[u(image)].panel != panel &&
+         attempt.all.edges[u(b)].panel == attempt.all.edges[u(image)].panel;
+}
+
 void chains_of(const Attempt& attempt, int edge, std::vector<Chain>& out) {
   Mates mates = attempt.found.mates;
   if (mates[u(edge)] >= 0) {
@@ -40,7 +48,7 @@ void chains_of(const Attempt& attempt, int edge, std::vector<Chain>& out) {
       double sum = 0;
       for (std::size_t k = 0; k < std::min(loop.size(), longest); ++k) {
         const int next = loop[(first + k) % loop.size()];
-        if (next == edge) break;
+        if (next == edge || of_twins(attempt, edge, next)) break;
         chain.others.insert(chain.others.begin(), next);
         sum += length_of(attempt, next);
         if (sum > whole * std::exp(most_difference)) break;

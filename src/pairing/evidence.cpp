@@ -71,7 +71,7 @@ double by_shape(const PanelEdge& a, const PanelEdge& b) {
 double by_upright(const PanelEdge& a, const PanelEdge& b) {
   const double facing = a.along.dot(b.along);
   const bool shoulders = a.outward.y() > .5 && b.outward.y() > .5;
-  const double sure = std::min(a.weave, b.weave);
+  const double sure = std::min(a.sure, b.sure);
   if (shoulders && facing > 0) return .1 * sure;
   return -facing * (facing > 0 ? 1.4 : 1.0) * sure;
 }
@@ -91,11 +91,13 @@ double by_notches(const PanelEdge& a, const PanelEdge& b) {
   return 2.2 * share - .6 * (1 - share);
 }
 
-bool looks(const PanelEdge& edge, const std::string& side) {
+bool looks(const PanelEdges& all, const PanelEdge& edge, const std::string& side) {
   constexpr double steep = .5;
   if (side == "top") return edge.outward.y() > steep;
   if (side == "bottom") return edge.outward.y() < -steep;
   if (side == "side") return std::abs(edge.outward.x()) > steep;
+  if (side == "crotch")  // curved inwards, or up to the waist
+    return hollow(edge) > .06 || at(all, edge.next).outward.y() > .7 || at(all, edge.previous).outward.y() > .7;
   if (side == "upright") return std::abs(edge.outward.x()) > .96;
   return true;
 }
@@ -118,6 +120,11 @@ double by_number(const PanelEdge& a, const PanelEdge& b, const PieceName& na, co
   return face == "front" ? -.01 * number : face == "back" ? .01 * number : 0;
 }
 
+bool on_limb(const PieceRole& role) {
+  return std::any_of(role.places.begin(), role.places.end(),
+                     [](const RolePlace& place) { return place.at.part == "arm" || place.at.part == "leg"; });
+}
+
 double by_names(const PanelEdges& all, int a, int b, const std::vector<PieceName>& names, const GarmentTemplate& garment,
                 int& spoken) {
   const PanelEdge& ea = at(all, a);
@@ -131,24 +138,31 @@ double by_names(const PanelEdges& all, int a, int b, const std::vector<PieceName
   const PieceRole& rb = garment.roles[static_cast<std::size_t>(nb.role)];
   for (const auto& [edge, role] : {std::pair(&ea, &ra), std::pair(&eb, &rb)})
     for (const std::string& open : role->open)
-      if (looks(*edge, open) && std::abs(edge->outward.y()) > .9 && ea.panel != eb.panel) return -1.5;
+      if (looks(all, *edge, open) && std::abs(edge->outward.y()) > .9 && ea.panel != eb.panel) return -1.5;
   const bool dart_from_below = (ea.next == b && ea.along.y() > .7) || (eb.next == a && eb.along.y() > .7);
   const bool free_below = std::find(ra.open.begin(), ra.open.end(), "bottom") != ra.open.end();
   if (ea.panel == eb.panel && dart_from_below && free_below) return -5;  // a slit in a hem
+  const bool one_panel = ea.panel == eb.panel;
+  const bool neighbours = one_panel && (ea.next == b || eb.next == a);
+  if (neighbours) return 0;
+  if (one_panel && !na.face.empty()) return -4;  // a front is not sewn to itself
+  const bool a_pair = !na.face.empty() || on_limb(ra);
   bool roles_meet = false;
   for (const SeamRule& rule : garment.seams) {
     const bool straight = rule.role_a == ra.role && rule.role_b == rb.role;
     const bool crossed = rule.role_a == rb.role && rule.role_b == ra.role;
     if (!straight && !crossed) continue;
     roles_meet = true;
-    if (!kin(rule.face, na.face, nb.face) || !kin(rule.hand, na.hand, nb.hand)) continue;
-    if ((straight && looks(ea, rule.side_a) && looks(eb, rule.side_b)) ||
-        (crossed && looks(ea, rule.side_b) && looks(eb, rule.side_a))) {
+    if (!one_panel && (!kin(rule.face, na.face, nb.face) || !kin(rule.hand, na.hand, nb.hand))) continue;
+    // Two copies of one piece are of one face and, as a pair, of two hands.
+    if (!one_panel && pa.piece == pb.piece && a_pair && (rule.face == Kinship::other || rule.hand == Kinship::same)) continue;
+    if ((straight && looks(all, ea, rule.side_a) && looks(all, eb, rule.side_b)) ||
+        (crossed && looks(all, ea, rule.side_b) && looks(all, eb, rule.side_a))) {
       spoken = static_cast<int>(&rule - garment.seams.data());
       return 1.2 + by_number(ea, eb, na, nb);
     }
   }
-  if (ea.panel == eb.panel) return roles_meet ? -.3 : 0;
+  if (ea.panel == eb.panel) return roles_meet ? -2 : -.3;
   return roles_meet ? -2.5 : -4;
 }
 
@@ -183,15 +197,16 @@ Evidence evidence(const PanelEdges& all, int a, int b, bool twins, const std::ve
     return out;
   }
   out.shape = by_shape(ea, eb);
-  if (twins) {
-    out.lengths = std::min(out.lengths, .4);
-    // Two armholes, two halves of a neck: alike because they are mirror images. Only legs meet so, at the crotch.
-    out.shape = std::min(hollow(ea), hollow(eb)) > .12 ? -1.2 : std::min(out.shape, .2);
-  }
   out.layout = by_layout(all, a, b);
   out.upright = out.layout > 0 ? 0 : by_upright(ea, eb);
   out.notches = by_notches(ea, eb);
   out.names = by_names(all, a, b, names, garment, out.rule);
+  if (twins) {
+    const bool crotch = out.rule >= 0 && garment.seams[static_cast<std::size_t>(out.rule)].side_a == "crotch";
+    out.lengths = std::min(out.lengths, .4);
+    // Two armholes, two halves of a neck: alike because they are mirror images. Only legs meet so, at the crotch.
+    out.shape = std::min(hollow(ea), hollow(eb)) > .12 && !crotch ? -1.2 : std::min(out.shape, .2);
+  }
   return out;
 }
 

@@ -14,15 +14,16 @@ namespace {
 std::size_t u(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int few_rounds = 3, many_rounds = 8;
-constexpr double unused_role = .1;    // nats
-constexpr double shapes_alone = .85;  // of the confidence, without names
+constexpr double unused_role = .4, unplaced_piece = 4;  // nats
+constexpr double shapes_alone = .85;                    // of the confidence, without names
 
-// Of two garments that explain the pieces as well, the simpler one.
-double worth(const Attempt& attempt) {
+// Of two garments that explain the pieces as well, the simpler one, and one in which every piece has its place.
+double worth(const Attempt& attempt, Pattern pattern) {
   int unused = 0;
   for (int r = 0; r < static_cast<int>(attempt.garment->roles.size()); ++r)
     unused += std::none_of(attempt.names.begin(), attempt.names.end(), [&](const PieceName& name) { return name.role == r; });
-  return attempt.found.score - unused_role * unused;
+  const double nowhere = static_cast<double>(place_on_body(attempt, pattern).size());
+  return attempt.found.score - unused_role * unused - unplaced_piece * nowhere;
 }
 
 // The templates that know the most of the pieces by their names.
@@ -49,7 +50,7 @@ Attempt best_attempt(const Pattern& pattern, const std::vector<GarmentTemplate>&
   if (garments.size() > 1) {
     double most = -1e300;
     for (const GarmentTemplate* garment : garments) {
-      const double value = worth(attempt_as(pattern, *garment, few_rounds));
+      const double value = worth(attempt_as(pattern, *garment, few_rounds), pattern);
       if (value > most + 1e-9) {
         most = value;
         best = garment;

@@ -16,8 +16,21 @@ struct Upright {
   double sure = 1;
 };
 
-Upright upright(const Piece& piece) {
+Upright upright(const Piece& piece, bool band) {
   Upright out;
+  if (band) {
+    Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+    for (const Edge& edge : piece.outline)
+      for (const OutlinePoint& point : edge.points) {
+        low = low.cwiseMin(point.at);
+        high = high.cwiseMax(point.at);
+      }
+    if (high.y() - low.y() > 1.5 * (high.x() - low.x())) {
+      out.turn << 0, 1, -1, 0;
+      out.sure = .3;  // which of its long sides is up nobody knows
+    }
+    return out;
+  }
   if (!piece.grainline) return out;
   Eigen::Vector2d up = piece.grainline->to - piece.grainline->from;
   if (up.norm() < 1e-6) return out;
@@ -50,9 +63,8 @@ Points<2> walked(const Pattern& pattern, const PanelEdges& all, const PanelEdge&
   const Panel& panel = all.panels[static_cast<std::size_t>(edge.panel)];
   const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
   Points<2> points = part_of<2>(positions(piece.outline[static_cast<std::size_t>(edge.edge)]), edge.begin, edge.end);
-  const Eigen::Matrix2d turn = upright(piece).turn;
   for (Eigen::Vector2d& at : points) {
-    at = turn * at;
+    at = panel.turn * at;
     if (is_mirrored(piece, panel.copy)) at.x() = -at.x();
   }
   return points;
@@ -71,7 +83,7 @@ void measure(const Pattern& pattern, const PanelEdges& all, PanelEdge& edge) {
   }
   const Panel& panel = all.panels[static_cast<std::size_t>(edge.panel)];
   const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
-  edge.weave = upright(piece).sure;
+  edge.sure = panel.sure;
   edge.notches.clear();
   for (const Notch& notch : piece.notches) {
     if (notch.edge != piece.outline[static_cast<std::size_t>(edge.edge)].id) continue;
@@ -83,7 +95,7 @@ void measure(const Pattern& pattern, const PanelEdges& all, PanelEdge& edge) {
 
 }  // namespace
 
-PanelEdges panel_edges(const Pattern& pattern, const std::vector<bool>& sewn) {
+PanelEdges panel_edges(const Pattern& pattern, const std::vector<bool>& sewn, const std::vector<bool>& bands) {
   PanelEdges all;
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
     const Piece& piece = pattern.pieces[p];
@@ -92,6 +104,9 @@ PanelEdges panel_edges(const Pattern& pattern, const std::vector<bool>& sewn) {
       const int first = static_cast<int>(all.edges.size());
       Panel panel{static_cast<int>(p), copy, first, count};
       panel.area = std::abs(signed_area(piece));
+      const Upright worn = upright(piece, bands[p]);
+      panel.turn = worn.turn;
+      panel.sure = worn.sure;
       all.panels.push_back(panel);
       const bool mirrored = is_mirrored(piece, copy);
       std::vector<Points<2>> runs;

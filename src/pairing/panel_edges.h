@@ -20,7 +20,7 @@ struct PanelEdge {
   Eigen::Vector2d outward = {0, -1};  // unit, across the chord
   std::vector<double> heading;        // radians against the chord, at 8 places from start to end
   double angle = 0;                   // of the panel at the edge's start, radians
-  double weave = 1;                   // how sure the upright is, 0..1
+  double sure = 1;                    // of the upright, 0..1
   int next = 0, previous = 0;         // round the panel
   std::vector<double> notches;        // fractions of the run from its start
 };
@@ -30,6 +30,8 @@ struct Panel {
   int copy = 1;
   int first = 0, count = 0;  // of its edges; splitting appends others that are reached by `next`
   double area = 0, width = 0, height = 0;
+  Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();  // of the drawing, to hang as it is worn
+  double sure = 1;                                     // of that
 };
 
 struct PanelEdges {
@@ -37,8 +39,9 @@ struct PanelEdges {
   std::vector<PanelEdge> edges;
 };
 
-// Panels of the pieces for which `sewn` is true (one flag a piece). A grain line that lies across is turned upright.
-PanelEdges panel_edges(const Pattern& pattern, const std::vector<bool>& sewn);
+// Panels of the pieces for which `sewn` is true (one flag a piece). Those of `bands` (likewise) are worn round the body,
+// whichever way they are drawn: their long side lies.
+PanelEdges panel_edges(const Pattern& pattern, const std::vector<bool>& sewn, const std::vector<bool>& bands);
 
 // Cuts edge `index` at `shares` (ascending, 0 < share < 1, of the run from its start); returns the edges in its place in order.
 std::vector<int> split_edge(const Pattern& pattern, PanelEdges& all, int index, const std::vector<double>& shares);

@@ -106,6 +106,9 @@ std::optional<BodyPart> part_of_body(const Attempt& attempt, int panel, Hand han
   if (place == role.places.end()) place = fits("");
   if (place == role.places.end()) return std::nullopt;
   BodyPart at = place->at;
+  // The grain of a band runs round the body where it is drawn along the band.
+  const Panel& cut = attempt.all.panels[u(panel)];
+  at.grain_round = at.grain_round && !cut.turn.isIdentity();
   const bool limb = at.part == "arm" || at.part == "leg";
   if (hand == Hand::unknown) return limb ? std::nullopt : std::optional(at);
   at.angle += place->half;

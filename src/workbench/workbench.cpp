@@ -180,6 +180,11 @@ Worn wear_draped(const Pattern& pattern, const DrapedGarment& draped, const Scen
   return wear_from(pattern, scene, edge_length, tolerance, carried_drape(draped, garment, scene.body), control);
 }
 
+WornGarment as_worn(Worn worn, double edge_length) {
+  return {std::move(worn.pattern), std::move(worn.garment), std::move(worn.drape.positions), edge_length,
+          std::move(worn.report)};
+}
+
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
   Target target;
   target.garment = worn.garment;
@@ -187,9 +192,10 @@ Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits
   for (const Edit& step : edits) {
     try {
       const Body& body = target.body ? *target.body : scene.body;
-      Target next =
-          find_operation(step.operation)
-              .apply({edited_pattern(worn, target), target.garment, target.positions, body, scene.find_body}, step.arguments);
+      Target next = find_operation(step.operation)
+                        .apply({edited_pattern(worn, target), target.garment, target.positions, body, scene.find_body,
+                                scene.find_garment},
+                               step.arguments);
       next.report.findings.insert(next.report.findings.begin(), target.report.findings.begin(), target.report.findings.end());
       if (!next.body) next.body = target.body;
       if (!next.pattern) {

@@ -25,8 +25,9 @@ struct Scene {
   Body body;
   Fabric fabric;
   Simulator simulator;
-  double hem = 30e-3;       // m, turned up at hems whose edges have no allowance of their own
-  FindBody find_body = {};  // for edits that name another body
+  double hem = 30e-3;             // m, turned up at hems whose edges have no allowance of their own
+  FindBody find_body = {};        // for edits that name another body
+  FindGarment find_garment = {};  // and another garment
 };
 
 using DrapeSteps = std::function<void(const DrapeProgress&)>;
@@ -63,6 +64,9 @@ Worn wear_from(const Pattern& pattern, const Scene& scene, double edge_length, d
 // The same from the drape that the pattern came with (garment/pattern_file.h), on other triangles of the same pieces.
 Worn wear_draped(const Pattern& pattern, const DrapedGarment& draped, const Scene& scene, double edge_length, double tolerance,
                  const DrapeControl& control = {});
+
+// As edits know it: for Scene::find_garment.
+WornGarment as_worn(Worn worn, double edge_length);
 
 // Every edit of the recipe in turn, on the drape; after a grading on the target's body, which the scene has to have for what
 // follows. Throws BadInput with the recipe's place.

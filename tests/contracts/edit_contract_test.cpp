@@ -18,16 +18,42 @@ void PrintTo(const EditOperation& operation, std::ostream* out) { *out << operat
 
 namespace {
 
+// The skirt with its piece drawn round its panels, as a pattern is.
+testing::SyntheticSkirt drawn(const testing::SkirtShape& shape) {
+  testing::SyntheticSkirt skirt = testing::synthetic_skirt(shape);
+  const PanelMesh& panel = skirt.garment.panels.front();
+  for (Edge& edge : skirt.pattern.pieces.front().outline) edge.points.clear();
+  for (std::size_t i = 0; i < panel.boundary.size(); ++i) {
+    const BoundaryVertex &from = panel.boundary[i], &to = panel.boundary[(i + 1) % panel.boundary.size()];
+    Edge& edge = skirt.pattern.pieces.front().outline[static_cast<std::size_t>(from.edge)];
+    if (edge.points.empty()) edge.points.push_back({panel.rest.col(from.vertex), true, {}});
+    edge.points.push_back({panel.rest.col(to.vertex), to.edge != from.edge, {}});
+  }
+  return skirt;
+}
+
 struct Scene {
-  testing::SyntheticSkirt skirt = testing::synthetic_skirt({.columns = 48, .rows = 30});
+  testing::SyntheticSkirt skirt = drawn({.columns = 48, .rows = 30});
+  testing::SyntheticSkirt fuller = drawn({.columns = 48, .rows = 30, .ease = 15e-3, .flare = 0.3});
   Body body = make_body(skirt.form);
   std::shared_ptr<const Body> same = std::make_shared<const Body>(body), wider = std::make_shared<const Body>(wide());
   EditInput input() const {
-    return {skirt.pattern, skirt.garment, skirt.drape, body, [this](const BodyName& name, const std::string& place) {
+    return {skirt.pattern,
+            skirt.garment,
+            skirt.drape,
+            body,
+            [this](const BodyName& name, const std::string& place) {
               if (name.size == "wider" || name.file == "wider.obj") return wider;
               if (name.size == "same") return same;
               throw BadInput({"edit.no-such-body", Severity::error, place, "there is no such body", "same or wider"});
+            },
+            [this](const std::string& file, const Body&, const std::string& place) {
+              if (file == "same" || file == "other") return worn(file == "same" ? skirt : fuller);
+              throw BadInput({"edit.no-such-garment", Severity::error, place, "there is no such garment", "same or other"});
             }};
+  }
+  static std::shared_ptr<const WornGarment> worn(const testing::SyntheticSkirt& one) {
+    return std::make_shared<const WornGarment>(WornGarment{one.pattern, one.garment, one.drape, 25e-3, {}});
   }
   Body wide() const {
     Mannequin form = skirt.form;
@@ -49,8 +75,9 @@ EditArguments plain(const EditOperation& operation, bool still = false) {
     if (!parameter.by_default && parameter.instead_of.empty())
       arguments[parameter.name] = parameter.unit == "m"      ? (still ? "0" : "2 cm")
                                   : parameter.unit == "deg"  ? (still ? "0 deg" : "5 deg")
-                                  : parameter.unit == "loop" ? "hem"
+                                  : parameter.unit == "loop" ? "hip"
                                   : parameter.unit == "size" ? (still ? "same" : "wider")
+                                  : parameter.unit == "file" ? (still ? "same" : "other")
                                                              : (still ? "0" : "1");
   return arguments;
 }
@@ -78,8 +105,13 @@ TEST_P(EditContract, DescribesItselfAndItsParameters) {
 
 TEST_P(EditContract, KeepsTheGarmentAndGivesFinitePositions) {
   const Target target = GetParam().apply(scene().input(), plain(GetParam()));
-  EXPECT_EQ(target.garment, scene().skirt.garment);
-  EXPECT_EQ(target.source, scene().skirt.drape);
+  if (target.pattern) {
+    check(target.garment);  // one that the edit made
+    EXPECT_EQ(target.source.cols(), target.garment.vertex_count);
+  } else {
+    EXPECT_EQ(target.garment, scene().skirt.garment);
+    EXPECT_EQ(target.source, scene().skirt.drape);
+  }
   ASSERT_EQ(target.positions.cols(), target.source.cols());
   EXPECT_TRUE(target.positions.allFinite());
   EXPECT_TRUE(target.report.ok());
@@ -91,7 +123,10 @@ TEST_P(EditContract, KeepsTheGarmentAndGivesFinitePositions) {
 
 TEST_P(EditContract, ChangesSomethingAndTurnsNoTriangleOver) {
   const Target target = GetParam().apply(scene().input(), plain(GetParam()));
-  EXPECT_GT((target.positions - target.source).cwiseAbs().maxCoeff(), 1e-3);
+  if (target.pattern)
+    EXPECT_NE(target.garment, scene().skirt.garment);
+  else
+    EXPECT_GT((target.positions - target.source).cwiseAbs().maxCoeff(), 1e-3);
   for (Eigen::Index t = 0; t < target.garment.triangles.cols(); ++t) {
     const auto normal = [&](const Eigen::Matrix3Xd& x) {
       const Eigen::Vector3d a = x.col(target.garment.triangles(0, t));

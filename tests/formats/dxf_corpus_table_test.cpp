@@ -141,7 +141,7 @@ std::string without(const std::vector<std::string>& lines, std::size_t begin, st
 
 TEST_F(DxfCorpusTable, NothingInABlockIsLostWithoutAWord) {
   for (const char* name : {"accumark/GMH1006F18_ASTM.DXF", "accumark/ORILEGWB_AAMA.DXF", "accumark/drill-holes.DXF",
-                           "clo/clo-pattern.dxf", "valentina/basicblock_ASTM_R12_1.dxf"}) {
+                           "clo/clo-pattern.dxf", "valentina/basicblock_AAMA_R12_1.dxf"}) {
     const std::string bytes = *read_whole_file(patterns_ / name).value;
     std::vector<std::string> lines;
     std::istringstream in(bytes);
@@ -156,7 +156,7 @@ TEST_F(DxfCorpusTable, NothingInABlockIsLostWithoutAWord) {
     const auto read = [&](const std::string& text) { return read_dxf_pattern_bytes(text, "x.dxf", {}); };
     const Loaded<PatternFile> whole = read(without(lines, 0, 0));
     ASSERT_TRUE(whole.value);
-    // The first three of every kind and layer in the blocks of the sample size.
+    // The first of every kind and layer in the blocks of the sample size.
     std::map<std::string, int> seen;
     bool blocks = false, sample = false;
     for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
@@ -184,7 +184,10 @@ TEST_F(DxfCorpusTable, NothingInABlockIsLostWithoutAWord) {
       if (!sample || type == "BLOCK" || type == "ENDBLK" || type == "VERTEX" || type == "SEQEND") continue;
       if (layer.size() == 2 && layer[0] == '8') continue;  // 84 to 87 are copies of 1, 8, 11 and 14
       if (!text.empty() && text.back() == ':') continue;   // says nothing
-      if (++seen[type + " " + layer] > 3) continue;
+      const std::string key = text.substr(0, text.find(':'));
+      if (key == "Quantity" || key == "QUANTITY" || key == "SIZE") continue;  // 1, and what the other pieces say as well
+      if (type == "POLYLINE" && layer == "1" && std::string(name).substr(0, 3) == "clo") continue;  // again on 84
+      if (++seen[type + " " + layer] > 1) continue;
       const Loaded<PatternFile> less = read(without(lines, i, end));
       const bool same = less.value && less.value->pattern == whole.value->pattern && less.value->facts == whole.value->facts &&
                         less.report.findings == whole.report.findings;

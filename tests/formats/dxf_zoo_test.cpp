@@ -104,6 +104,7 @@ TEST(DxfZoo, AFlatDrawingHasAPieceForEachOuterLine) {
   EXPECT_EQ(loaded.value->units.decided_by, "$INSUNITS");
   ASSERT_EQ(loaded.value->pattern.pieces.size(), 2u);
   EXPECT_EQ(loaded.value->pattern.pieces[0].name, "Front");
+  EXPECT_FALSE(find(loaded.report, "aama.style-text"));
   EXPECT_NEAR(signed_area(loaded.value->pattern.pieces[0]), .4 * .6, 1e-9);  // the inner line is the sew line
   EXPECT_EQ(loaded.value->facts[0].sew_line_source, "layer 8");
   EXPECT_EQ(loaded.value->pattern.pieces[1].internal_lines.size(), 1u);
@@ -147,6 +148,15 @@ TEST(DxfZoo, SaysDialectAuthorAndUnits) {
   ASSERT_EQ(aama.facts.size(), 1u);
   EXPECT_FALSE(aama.facts[0].has_sew_line);
   EXPECT_EQ(aama.facts[0].sew_line_source, "cut line");
+}
+
+TEST(DxfZoo, AnOutlineOfTooManyPointsIsNamed) {
+  Xy many;
+  for (int i = 0; i < 20'001; ++i) many.emplace_back(300 * std::cos(2 * pi * i / 20'001), 300 * std::sin(2 * pi * i / 20'001));
+  const Loaded<PatternFile> loaded = read(pattern_file(block("A", name + polyline_on("1", many, true))));
+  EXPECT_FALSE(loaded.value);
+  ASSERT_TRUE(find(loaded.report, "dxf.too-large"));
+  EXPECT_NE(find(loaded.report, "dxf.too-large")->place.find("piece 'front'"), std::string::npos);
 }
 
 TEST(DxfZoo, HugeCoordinatesAndNoNumbersAreNamed) {

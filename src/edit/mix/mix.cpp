@@ -1,0 +1,138 @@
+#include "edit/mix/mix.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "edit/account.h"
+#include "edit/arguments.h"
+#include "edit/mix/join_style.h"
+#include "edit/mix/joined.h"
+#include "edit/mix/mix_loops.h"
+#include "edit/mix/recut.h"
+#include "garment/units.h"
+
+namespace toile {
+namespace {
+
+const char* const place_of_edit = "edit 'mix'";
+
+const std::vector<Parameter>& mix_parameters() {
+  static const std::vector<Parameter> parameters{
+      {"with", "file", "the pattern of the other garment, beside the recipe; it is worn as this one is", {}, {}, {}},
+      {"loop",
+       "loop",
+       "where they meet, on this garment: a seam or edge such as \"waist\" or \"armhole\", or a level such as \"hip\"",
+       {},
+       {},
+       {}},
+      {"region",
+       "loop",
+       "where they may meet: two loops or levels, \"waist..hip\"; the best place between them is found",
+       {},
+       {},
+       {},
+       "loop"},
+      {"other_loop",
+       "loop",
+       "the loop of the other garment; \"auto\": where this garment's loop is on the body",
+       {},
+       {},
+       "auto"},
+      {"keep",
+       "loop",
+       "what is kept of this garment: \"before\" the loop, as limbs run (above it, or the trunk's side), or \"beyond\" it",
+       {},
+       {},
+       "before"},
+  };
+  return parameters;
+}
+
+bool keeps_beyond(const std::string& written) {
+  if (written != "before" && written != "beyond")
+    throw BadInput({"edit.bad-side", Severity::error, "edit 'mix', keep", "'" + written + "' is no side of a loop",
+                    "write \"before\" (above it, or towards the trunk) or \"beyond\""});
+  return written == "beyond";
+}
+
+std::shared_ptr<const WornGarment> other_garment(const EditInput& input, const std::string& file) {
+  const std::string place = "edit 'mix', with";
+  if (!input.find_garment)
+    throw BadInput({"edit.no-garments", Severity::error, place, "there is nothing here that could wear another garment",
+                    "mix in a recipe"});
+  return input.find_garment(file, input.body, place);
+}
+
+MixLoops loops_named(const EditInput& first, const EditInput& second, const ReadArguments& read) {
+  const std::string& other = read.names.at("other_loop");
+  if (!read.names.count("region")) return mix_loops(first, second, read.names.at("loop"), other);
+  if (other != "auto")
+    throw BadInput({"edit.two-parameters", Severity::error, place_of_edit, "has both region and other_loop",
+                    "a region decides for both garments: leave other_loop out"});
+  return mix_loops_in(first, second, read.names.at("region"));
+}
+
+void describe(Report& report, const EditInput& input, const WornGarment& other, const JoinedPattern& joined,
+              const MixedShape& shape, double mismatch) {
+  report.note("edit.moved", place_of_edit,
+              std::to_string(joined.pattern.pieces.size()) + " pieces, of '" + input.pattern.name + "' and '" +
+                  other.pattern.name + "'; their edges were " + in_mm(shape.gap_mean) + " apart in the mean, " +
+                  in_mm(shape.gap_max) + " at most, and meet in the middle");
+  char words[96];
+  std::snprintf(words, sizeof words, "the edges that meet differed in length by up to %.1f %%", 100 * mismatch);
+  report.note("edit.joint", place_of_edit, words);
+  describe_style(report, place_of_edit, shape.styled.deviation);
+  describe_end(report, place_of_edit, shape.styled.deepest, shape.styled.settled);
+}
+
+Target apply_mix(const EditInput& input, const EditArguments& arguments) {
+  constexpr double alike = 2e-3;  // share: edges of a joint that differ by less are sewn as they are
+  check_source(input, "mix");
+  const ReadArguments read = read_arguments("mix", mix_parameters(), arguments);
+  const bool keep_beyond = keeps_beyond(read.names.at("keep"));
+  const std::shared_ptr<const WornGarment> other = other_garment(input, read.names.at("with"));
+  const EditInput second{other->pattern, other->garment, other->drape, input.body};
+  check_source(second, "mix");
+  const MixLoops loops = loops_named(input, second, read);
+  const MixSide a{input,
+                  take_part(input, part_garment(input, loops.first, "edit 'mix', loop"), keep_beyond, "edit 'mix', keep")};
+  const MixSide b{second, take_part(second, part_garment(second, loops.second, "edit 'mix', other_loop"), !keep_beyond,
+                                    "edit 'mix', other_loop")};
+  const JoinedPattern joined = join(a, b, "edit 'mix', loop");
+  const JoinedGarment hung = hang(joined, a, b, other->edge_length);
+  MixedShape shape = join_style(input.body, hung);
+  if (!shape.styled.deviation.flipped.empty())
+    throw BadInput({"edit.flipped", Severity::error, place_of_edit,
+                    "the garments would have to turn over on themselves in " +
+                        std::to_string(shape.styled.deviation.flipped.size()) + " triangles to meet",
+                    "choose loops of the two garments that are nearer to each other"});
+  const double mismatch = joint_mismatch(joined);
+
+  Target target;
+  if (mismatch > alike) {
+    Recut cut = recut(joined, hung, shape.positions);
+    target.pattern = std::make_shared<const Pattern>(std::move(cut.pattern));
+    target.garment = std::move(cut.garment);
+    target.source = shape.positions;
+  } else {
+    target.pattern = std::make_shared<const Pattern>(joined.pattern);
+    target.garment = hung.garment;
+    target.source = shape.source;
+  }
+  target.positions = shape.positions;
+  target.held = hung.joint;
+  target.before = shape.styled.before;
+  target.after = shape.styled.after;
+  target.normal_deviation_mean = shape.styled.deviation.mean;
+  target.normal_deviation_max = shape.styled.deviation.most;
+  target.report.append(other->report);
+  target.report.append(loops.report);
+  describe(target.report, input, *other, joined, shape, mismatch);
+  return target;
+}
+
+}  // namespace
+
+EditOperation mix_operation() { return {"mix", "part of this garment joined to part of another", mix_parameters(), apply_mix}; }
+
+}  // namespace toile

@@ -1,0 +1,158 @@
+#include "edit/mix/recut.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "draft/alike.h"
+#include "draft/places.h"
+#include "draft/redraw.h"
+#include "geometry/embed.h"
+#include "geometry/polyline.h"
+#include "geometry/triangle_shape.h"
+#include "triangulate/mating.h"
+
+namespace toile {
+namespace {
+
+Eigen::Matrix2d shape_at(const GarmentMesh& garment, Eigen::Index t, const Eigen::Matrix3Xd& at) {
+  return triangle_shape(Eigen::Vector3d(at.col(garment.triangles(0, t))), at.col(garment.triangles(1, t)),
+                        at.col(garment.triangles(2, t)));
+}
+
+RestShape laid_flat(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen::Matrix3Xd& positions) {
+  constexpr int rounds = 3;  // each leaves about a tenth of the mismatch
+  const GarmentMesh& garment = hung.garment;
+  const std::vector<Eigen::Matrix2d> rest = rest_triangles(garment);
+  const std::vector<int> offsets = triangle_offsets(garment);
+  std::vector<Eigen::Matrix2d> shapes;
+  std::vector<FlatMesh> panels;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    panels.push_back({garment.panels[p].rest.cols(), garment.panels[p].triangles});
+    for (int t = offsets[p]; t < offsets[p + 1]; ++t)
+      shapes.push_back(next_rest(triangle_shape(rest[static_cast<std::size_t>(t)]),
+                                 shape_at(garment, t, hung.hanging[hung.side[p]]), shape_at(garment, t, positions)));
+  }
+  std::vector<MatingEdges> mating = mating_edges(joined.pattern, garment);
+  for (MatingEdges& pair : mating)
+    if (hung.side[static_cast<std::size_t>(pair.panel_a)] != hung.side[static_cast<std::size_t>(pair.panel_b)]) pair.ratio = 1;
+  const Embedder embedder(std::move(panels), std::move(mating), rest);
+  RestShape flat = rest_shape(garment);
+  for (int round = 0; round < rounds; ++round) {
+    flat = embedder.embed(shapes, flat).panels;
+    if (round + 1 == rounds) break;
+    shapes = rest_triangles(with_rest(garment, flat));
+    for (Eigen::Matrix2d& shape : shapes) shape = triangle_shape(shape);
+  }
+  return flat;
+}
+
+// How the boundary of a piece moved: by place on the outline, in the frame of the shape that it shares with others.
+struct Moved {
+  int piece, edge;
+  double at;
+  Eigen::Vector2d place, by;
+};
+
+std::vector<std::vector<Moved>> moves_by_shape(const Pattern& pattern, const GarmentMesh& garment, const RestShape& flat,
+                                               const Likeness& likeness) {
+  std::vector<std::vector<Moved>> moves(likeness.shapes.size());
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const PanelMesh& panel = garment.panels[p];
+    const Lay& lay = likeness.lays[static_cast<std::size_t>(panel.piece)];
+    const Eigen::Matrix2Xd before = as_drawn(panel, panel.rest),
+                           after = as_drawn(panel, laid_on(panel.rest, panel.triangles, flat[p]));
+    for (const BoundaryVertex& v : panel.boundary) {
+      const Edge& edge = pattern.pieces[static_cast<std::size_t>(panel.piece)].outline[static_cast<std::size_t>(v.edge)];
+      const Eigen::Vector2d at = point_at<2>(positions(edge), v.at);
+      moves[static_cast<std::size_t>(lay.shape)].push_back(
+          {panel.piece, v.edge, v.at, lay.to_shape(at), lay.to_shape.turn * (after.col(v.vertex) - before.col(v.vertex))});
+    }
+  }
+  return moves;
+}
+
+// The mean over all that lie at that place of the shape.
+Eigen::Vector2d mean_move(const std::vector<Moved>& moves, const Eigen::Vector2d& place, bool mirror) {
+  constexpr double same = 2e-3;  // m
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double count = 0;
+  for (const Moved& moved : moves)
+    for (const bool turned : {false, true}) {
+      if (turned && !mirror) continue;
+      const double sign = turned ? -1 : 1;
+      if ((Eigen::Vector2d(sign * moved.place.x(), moved.place.y()) - place).norm() > same) continue;
+      sum += Eigen::Vector2d(sign * moved.by.x(), moved.by.y());
+      ++count;
+    }
+  return count > 0 ? Eigen::Vector2d(sum / count) : Eigen::Vector2d::Zero();
+}
+
+// A cubic through both ends, nearest to the others.
+Eigen::Vector2d smooth_move(const std::vector<double>& at, const std::vector<Eigen::Vector2d>& by, double t) {
+  const auto straight = [&](double s) { return Eigen::Vector2d((1 - s) * by.front() + s * by.back()); };
+  if (at.size() < 4) return straight(t);
+  Eigen::MatrixXd terms(static_cast<Eigen::Index>(at.size()), 2);
+  Eigen::MatrixXd off(static_cast<Eigen::Index>(at.size()), 2);
+  const auto row = [](double s) { return Eigen::RowVector2d(s * (1 - s), s * (1 - s) * (2 * s - 1)); };
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    terms.row(static_cast<Eigen::Index>(i)) = row(at[i]);
+    off.row(static_cast<Eigen::Index>(i)) = (by[i] - straight(at[i])).transpose();
+  }
+  const Eigen::MatrixXd weights = terms.colPivHouseholderQr().solve(off);
+  return straight(t) + (row(t) * weights).transpose();
+}
+
+}  // namespace
+
+double joint_mismatch(const JoinedPattern& joined) {
+  double worst = 0;
+  for (std::size_t s = static_cast<std::size_t>(joined.first_joint); s < joined.pattern.seams.size(); ++s) {
+    const double a = span_length(joined.pattern, joined.pattern.seams[s].a),
+                 b = span_length(joined.pattern, joined.pattern.seams[s].b);
+    worst = std::max(worst, 2 * std::abs(a - b) / (a + b));
+  }
+  return worst;
+}
+
+Recut recut(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen::Matrix3Xd& positions) {
+  const RestShape flat = laid_flat(joined, hung, positions);
+  const Likeness likeness = find_likeness(joined.pattern, 1e-4);
+  const auto moves = moves_by_shape(joined.pattern, hung.garment, flat, likeness);
+  Recut result;
+  result.pattern = joined.pattern;
+  for (std::size_t p = 0; p < result.pattern.pieces.size(); ++p) {
+    const Lay& lay = likeness.lays[p];
+    const auto shape = static_cast<std::size_t>(lay.shape);
+    Piece& piece = result.pattern.pieces[p];
+    const auto count = piece.outline.size();
+    std::vector<std::vector<double>> at(count);
+    for (const Moved& moved : moves[shape])
+      if (moved.piece == static_cast<int>(p)) at[static_cast<std::size_t>(moved.edge)].push_back(moved.at);
+    for (std::size_t e = 0; e < count; ++e) {
+      Edge& edge = piece.outline[e];
+      const Edge whole = joined.pattern.pieces[p].outline[e];
+      std::vector<double>& places = at[e];
+      places.push_back(0);
+      places.push_back(1);
+      std::sort(places.begin(), places.end());
+      places.erase(std::unique(places.begin(), places.end()), places.end());
+      std::vector<Eigen::Vector2d> by;
+      for (const double place : places)
+        by.push_back(lay.to_shape.turn.transpose() * mean_move(moves[shape],
+                                                               lay.to_shape(point_at<2>(toile::positions(whole), place)),
+                                                               likeness.shapes[shape].mirror.has_value()));
+      double along = 0;
+      const double size = length(whole);
+      for (std::size_t i = 0; i < edge.points.size(); ++i) {
+        if (i > 0) along += (whole.points[i].at - whole.points[i - 1].at).norm();
+        edge.points[i].at += smooth_move(places, by, i + 1 == edge.points.size() ? 1 : along / size);
+      }
+    }
+  }
+  result.garment = with_rest(hung.garment, rest_on_outlines(result.pattern, hung.garment, flat));
+  return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "formats/formats.h"
+
+namespace toile {
+namespace {
+
+using test::contents;
+using test::run_program;
+using test::Workplace;
+
+const std::string skirt = std::string(TOILE_SOURCE_DIR) + "/samples/gored_skirt/gored_skirt.dxf";
+
+TEST(Convert, WritesEveryFormatAndReadsItBack) {
+  const Workplace work;
+  for (const char* name : {"a.dxf", "a.json", "a.svg", "a.obj"}) {
+    const auto ended = run_program({"convert", skirt, (work / name).string()});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("2 pieces"), std::string::npos) << ended.out;
+  }
+  EXPECT_TRUE(std::filesystem::exists(work / "a.seams.toml"));
+  const auto before = read_pattern(skirt), after = read_pattern(work / "a.dxf");
+  ASSERT_TRUE(before.value && after.value);
+  EXPECT_EQ(after.value->seams.size(), before.value->seams.size());
+  for (const Piece& piece : before.value->pieces) {
+    const Piece* same = find_piece(*after.value, piece.name);
+    ASSERT_TRUE(same) << piece.name;
+    EXPECT_EQ(copies(*same), copies(piece));
+    EXPECT_NEAR(signed_area(*same), signed_area(piece), 1e-7);
+    EXPECT_EQ(same->notches.size(), piece.notches.size());
+  }
+  std::filesystem::rename(work / "a.seams.toml", work / "gone");  // it belongs to the DXF
+  const auto json = read_pattern(work / "a.json");
+  ASSERT_TRUE(json.value);
+  EXPECT_EQ(json.value->pieces.size(), 9u);  // eight gores and a band
+}
+
+TEST(Convert, SaysWhatAFormatCannotHold) {
+  const Workplace work;
+  const auto ended = run_program({"convert", skirt, (work / "a.json").string()});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.err.find("garmentcode.copies"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("garmentcode.no-placement"), std::string::npos) << ended.err;
+  EXPECT_EQ(run_program({"convert", "--quiet", "--force", skirt, (work / "a.json").string()}).err, "");
+}
+
+TEST(Convert, RefusesWhatItCannotDoAndLeavesNothingBehind) {
+  const Workplace work;
+  EXPECT_EQ(run_program({"convert", skirt, (work / "a.doc").string()}).status, 73);
+  EXPECT_EQ(run_program({"convert", skirt, (work / "a.dxf").string(), "--profile", "word"}).status, 65);
+  EXPECT_EQ(run_program({"convert", (work / "none.dxf").string(), (work / "a.svg").string()}).status, 66);
+  EXPECT_EQ(run_program({"convert", skirt}).status, 64);
+  EXPECT_TRUE(work.everything().empty());
+  work.write("a.svg", "mine");
+  EXPECT_EQ(run_program({"convert", skirt, (work / "a.svg").string()}).status, 73);
+  EXPECT_EQ(contents(work / "a.svg"), "mine");
+}
+
+}  // namespace
+}  // namespace toile
