@@ -7,13 +7,12 @@
 #include "cli/job.h"
 #include "formats/formats.h"
 #include "garment/units.h"
+#include "workbench/judgement.h"
 
 namespace toile {
 namespace {
 
 constexpr double reread_limit = 0.05e-3;  // m, a written outline read back
-constexpr double seam_limit = 3e-3;       // m, a seam that no longer fits
-constexpr double far_from_target = 0.01;  // of the body's height
 
 // The reread piece with its edges in the order of the piece that was written.
 Piece in_order(const Piece& written, Piece read, double& moved) {
@@ -55,32 +54,6 @@ Pattern in_order(const Pattern& written, const Pattern& read) {
   return ordered;
 }
 
-void judge(Job& job) {
-  const Verified& verified = job.verified;
-  const std::string place = "re-drape";
-  Report report;
-  if (job.adjustment.stop == AdjustStop::not_developable)
-    report.error("adjust.not-developable", "target", "this shape cannot be cut from flat cloth",
-                 "Make the change smaller or spread it over a larger part", Fault::checks_failed);
-  if (job.adjustment.stop == AdjustStop::slipped)
-    report.error("adjust.slips", "target", "a garment of this shape slips down",
-                 "Let the edit leave the part that holds the garment", Fault::checks_failed);
-  if (verified.step.hausdorff > far_from_target * job.scene.body.form.height) {
-    const std::string far = "the pattern drapes up to " + in_mm(verified.step.hausdorff) + " from the target (" +
-                            percent_of_height(verified.step.hausdorff, job) + " of the height)";
-    if (only_folds_differ(job.tailoring))
-      report.warn("adjust.other-folds", place,
-                  far + ", but only the folds fall otherwise: girths, seams and openings measure the same",
-                  "Look at the pictures; a stiffer fabric or a finer mesh holds its folds better");
-    else
-      report.error("adjust.far-from-target", place, far, "Look at the map of distances before you cut", Fault::checks_failed);
-  }
-  if (job.redrawn.seam_mismatch > seam_limit)
-    report.error("adjust.seam-mismatch", "pattern", "a seam is " + in_mm(job.redrawn.seam_mismatch) + " off",
-                 "See the table of seams", Fault::checks_failed);
-  add(job, report);
-}
-
 }  // namespace
 
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress) {
@@ -91,7 +64,7 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
   job.girths = girth_table(with_rest(job.target.garment, job.verified.rest), job.verified.drape.positions, job.scene.body.form);
   job.tailoring = tailoring_difference(job.target.garment, job.target.positions, job.verified.drape.positions);
   add(job, job.verified.report);
-  judge(job);
+  add(job, judge({job.target, job.adjustment, job.verified, job.redrawn.seam_mismatch, job.tailoring, job.scene.body.form}));
   progress.end(in_mm(job.verified.step.hausdorff) + " (" + percent_of_height(job.verified.step.hausdorff, job) + ")");
 }
 
