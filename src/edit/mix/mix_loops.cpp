@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "edit/account.h"
 #include "edit/loops.h"
@@ -87,6 +88,20 @@ CutLoop line_at(const EditInput& input, const std::vector<LimbAxis>& axes, const
   return {best, {}};
 }
 
+// A seam or edge of the second garment that is called as the first one's and hangs near it.
+std::optional<CutLoop> namesake(const EditInput& first, const EditInput& second, const CutLoop& own, const std::string& name) {
+  constexpr double near = 0.05;  // m
+  if (own.seam.empty()) return std::nullopt;
+  const Eigen::Vector3d centre = loop_centre(first.drape, own.seam);
+  try {
+    const NamedLoops named = resolve_loops(second, name, "");
+    for (const VertexLoop& loop : named.loops)
+      if (!named.level && (loop_centre(second.drape, loop) - centre).norm() < near) return CutLoop{loop, {}};
+  } catch (const BadInput&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::string& loop, const std::string& other_loop) {
@@ -94,9 +109,11 @@ MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::s
   MixLoops loops;
   loops.first = named_loops(first, loop, "edit 'mix', loop");
   if (other_loop == "auto") {
-    for (const CutLoop& own : loops.first)
+    for (const CutLoop& own : loops.first) {
+      const auto same = namesake(first, second, own, loop);
       loops.second.push_back(
-          line_at(second, axes, limb_curve(first.body, axes, points_of(own, first.drape)), "edit 'mix', loop"));
+          same ? *same : line_at(second, axes, limb_curve(first.body, axes, points_of(own, first.drape)), "edit 'mix', loop"));
+    }
     return loops;
   }
   std::vector<CutLoop> named = named_loops(second, other_loop, "edit 'mix', other_loop");

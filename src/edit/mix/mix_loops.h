@@ -14,7 +14,8 @@ struct MixLoops {
   Report report;
 };
 
-// `loop` names loops of the first garment. "auto" as `other_loop` takes the lines of the second garment with the same p_b and
+// `loop` names loops of the first garment. "auto" as `other_loop` takes the second garment's edges of that name when they
+// hang near, else its lines with the same p_b and
 // p_m (paper Sec. 5), or its seam or free edge when that is near; else it names loops round the same limbs. Throws BadInput:
 // edit.no-overlap when the second garment has nothing near there, edit.other-loops when the loops do not pair up.
 MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::string& loop, const std::string& other_loop);
