@@ -84,7 +84,12 @@ std::vector<VertexLoop> highest_free_boundary(const EditInput& input) {
     if (std::find(hem.begin(), hem.end(), loop) != hem.end()) continue;
     if (!highest || loop_centre(input.drape, loop).y() > loop_centre(input.drape, *highest).y()) highest = &loop;
   }
-  return highest ? std::vector<VertexLoop>{*highest} : std::vector<VertexLoop>{};
+  if (!highest) return {};
+  const auto waist = input.body.form.landmarks.find("waist");
+  constexpr double near = 0.12;  // m: the top of a strapless dress is no waist
+  if (waist != input.body.form.landmarks.end() && std::abs(loop_centre(input.drape, *highest).y() - waist->second) > near)
+    return {};
+  return {*highest};
 }
 
 struct Level {
