@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "formats/dxf/code_page.h"
 #include "formats/dxf/entity.h"
 #include "formats/dxf/tags.h"
 
@@ -94,6 +95,11 @@ class DrawingReader {
       return;
     }
     open_polyline_ = entity.type == "POLYLINE";
+    for (std::size_t end = entity.text.find('\n'); end != std::string::npos; end = entity.text.find('\n')) {
+      members.push_back(entity);  // a paragraph of an MTEXT
+      members.back().text = trimmed(std::string_view(entity.text).substr(0, end));
+      entity.text.erase(0, end + 1);
+    }
     members.push_back(std::move(entity));
   }
 
@@ -163,7 +169,12 @@ Loaded<Drawing> read_drawing(std::string_view bytes, const std::string& name) {
   }
   Loaded<std::vector<Tag>> tags = read_tags(bytes, name);
   if (!tags.value) return {std::nullopt, std::move(tags.report)};
-  return DrawingReader(*tags.value, name).read();
+  Report report = std::move(tags.report);
+  decode(*tags.value, name, report);
+  Loaded<Drawing> loaded = DrawingReader(*tags.value, name).read();
+  report.append(loaded.report);
+  loaded.report = std::move(report);
+  return loaded;
 }
 
 }  // namespace toile::dxf

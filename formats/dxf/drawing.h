@@ -46,9 +46,10 @@ struct Drawing {
 
 // Reads HEADER variables, BLOCKS and ENTITIES; other sections are passed over. ARC and CIRCLE become polylines with bulges,
 // ELLIPSE and SPLINE splines (kind polyline, type as in the file); any other entity keeps its type and layer only
-// (Kind::other). An extrusion that looks from below mirrors. Errors: those of read_tags, "dxf.truncated" (a section, block or
-// polyline is not ended), "dxf.not-a-number" (a coordinate is no finite number of at most 1e9), "dxf.incomplete-entity",
-// "dxf.broken-tag", "dxf.too-large" (256 MB). Warning "dxf.no-eof".
+// (Kind::other). Texts are UTF-8 without drawing codes, every paragraph of an MTEXT a text of its own. An extrusion that looks
+// from below mirrors. Errors: those of read_tags, "dxf.truncated" (a section, block or polyline is not ended),
+// "dxf.not-a-number" (a coordinate is no finite number of at most 1e9), "dxf.incomplete-entity", "dxf.broken-tag",
+// "dxf.too-large" (256 MB). Warnings "dxf.no-eof", "dxf.insert-array"; and those of decode.
 Loaded<Drawing> read_drawing(std::string_view bytes, const std::string& name);
 
 // A polyline's points with its arcs or its spline replaced by chords no farther than `chord` (file units) from them.

@@ -1,9 +1,11 @@
 #include "formats/dxf/entity.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "formats/dxf/curve_entity.h"
+#include "formats/dxf/text_codes.h"
 
 namespace toile::dxf {
 namespace {
@@ -78,7 +80,11 @@ class EntityReader {
         from_below_ = value(tag) < 0;
         break;
       case 70:
+        if (entity_.kind == Kind::insert) columns_ = whole_number(tag.value).value_or(1);
         read_flags(tag);
+        break;
+      case 71:
+        if (entity_.kind == Kind::insert) rows_ = whole_number(tag.value).value_or(1);
         break;
       default:
         break;
@@ -89,6 +95,12 @@ class EntityReader {
     if (from_below_ && entity_.kind != Kind::line && entity_.kind != Kind::point) mirror(entity_);
     if (entity_.kind == Kind::text || entity_.kind == Kind::insert)
       if (entity_.points.empty()) entity_.points.push_back(Eigen::Vector2d::Zero());
+    if (entity_.kind == Kind::text) entity_.text = plain_text(entity_.text, entity_.type == "MTEXT");
+    if (columns_ > 1 || rows_ > 1)
+      report_.warn("dxf.insert-array", name_ + ":" + std::to_string(entity_.line),
+                   "block '" + entity_.text + "' is put in as an array of " + std::to_string(std::max(columns_, 1)) + " by " +
+                       std::to_string(std::max(rows_, 1)) + "; only its first place is read",
+                   "explode the array, or give the piece its quantity");
     bool complete = entity_.points.size() >= points_needed(entity_);
     for (const Eigen::Vector2d& point : entity_.points) complete = complete && !point.hasNaN();
     if (!complete && !failed_)
@@ -135,6 +147,7 @@ class EntityReader {
   Entity& entity_;
   const std::string& name_;
   Report& report_;
+  int columns_ = 1, rows_ = 1;  // of an INSERT
   bool failed_ = false, from_below_ = false;
 };
 

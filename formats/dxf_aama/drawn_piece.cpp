@@ -183,4 +183,33 @@ DrawnPiece sort_by_layer(const dxf::Block& block, const std::vector<dxf::Entity>
   return piece;
 }
 
+const char* too_much_in(const DrawnPiece& piece) {
+  std::size_t vertices = 0, runs = 0;
+  for (const auto* lines : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew, &piece.internal_lines,
+                            &piece.dense_internal_lines, &piece.cut_outs, &piece.dense_cut_outs, &piece.grain, &piece.mirror}) {
+    runs += lines->size();
+    for (const Run& run : *lines) {
+      vertices += run.points.size();
+      if (run.points.size() > 20'000) return "a line of more than 20000 points";
+    }
+  }
+  if (vertices > 60'000) return "more than 60000 points";
+  if (runs > 10'000) return "more than 10000 lines";
+  if (piece.points.size() + piece.grade_rules.size() > 60'000) return "more than 60000 marked points";
+  return piece.notches.size() + piece.drill_holes.size() > 5'000 ? "more than 5000 notches and drill holes" : nullptr;
+}
+
+void report_left_out(const Sorted& sorted, const std::string& name, Report& report) {
+  const auto times = [](int count) { return std::to_string(count) + (count == 1 ? " time" : " times"); };
+  for (const auto& [layer, count] : sorted.unknown_layers)
+    report.warn("aama.unknown-layer", name,
+                "layer '" + layer + "' is in no standard; its lines (" + std::to_string(count) + ") are kept as internal lines",
+                "");
+  for (const auto& [what, count] : sorted.unread)
+    report.warn("aama.unsupported-entity", name, what + " (" + times(count) + ") is not read",
+                "export the curves as polylines (R12)");
+  for (const auto& [what, count] : sorted.not_kept)
+    report.note("aama.not-kept", name, what + " (" + times(count) + "): read, but a pattern has no place for it");
+}
+
 }  // namespace toile::aama

@@ -11,6 +11,7 @@
 #include "formats/dxf_aama/layers.h"
 #include "formats/dxf_aama/texts.h"
 #include "garment/pattern.h"
+#include "garment/report.h"
 #include "geometry/polyline.h"
 
 namespace toile::aama {
@@ -87,5 +88,11 @@ struct Sorted {
 // `entities` as dxf::exploded gives them: no INSERT among them.
 DrawnPiece sort_by_layer(const dxf::Block& block, const std::vector<dxf::Entity>& entities, const Transform& to_metres,
                          Sorted& sorted);
+
+// What the piece has more of than any pattern piece has, in words; reading it would take minutes. Null: nothing.
+const char* too_much_in(const DrawnPiece& piece);
+
+// Findings "aama.unknown-layer", "aama.unsupported-entity" and "aama.not-kept" about the file.
+void report_left_out(const Sorted& sorted, const std::string& file, Report& report);
 
 }  // namespace toile::aama

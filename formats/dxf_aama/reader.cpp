@@ -14,7 +14,6 @@
 #include "formats/dxf_aama/graded_piece.h"
 #include "formats/dxf_aama/nest.h"
 #include "formats/dxf_aama/piece.h"
-#include "formats/dxf_aama/rules_beside.h"
 #include "formats/dxf_aama/units.h"
 #include "formats/formats.h"
 #include "garment/units.h"
@@ -28,60 +27,10 @@ using aama::PieceGroup;
 
 constexpr double chord = 0.05e-3;  // m, how far curves may be from their chords
 
-Eigen::AlignedBox2d box_of(const std::vector<aama::Run>& runs) {
-  Eigen::AlignedBox2d box;
-  for (const aama::Run& run : runs)
-    for (const Eigen::Vector2d& p : run.points) box.extend(p);
-  return box;
-}
-
-// What the sizes of a piece, sorted in file units, say about the unit.
-void add_evidence(aama::UnitEvidence& evidence, const DrawnPiece& piece) {
-  Eigen::AlignedBox2d all, cut = box_of(piece.cut), sew = box_of(piece.sew);
-  for (const auto* runs : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew}) all.extend(box_of(*runs));
-  if (!all.isEmpty()) evidence.largest = std::max(evidence.largest, all.sizes().maxCoeff());
-  for (const aama::DrawnNotch& notch : piece.notches)
-    if (notch.depth > 0) evidence.notch_depths.push_back(notch.depth);
-  if (cut.isEmpty() || sew.isEmpty()) return;
-  for (const double gap : {sew.min().x() - cut.min().x(), sew.min().y() - cut.min().y(), cut.max().x() - sew.max().x(),
-                           cut.max().y() - sew.max().y()})
-    if (gap > 1e-6 * all.sizes().maxCoeff()) evidence.allowances.push_back(gap);
-}
-
-// More than any pattern piece has; reading it would take minutes.
-const char* too_much_in(const DrawnPiece& piece) {
-  std::size_t vertices = 0, runs = 0;
-  for (const auto* lines : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew, &piece.internal_lines,
-                            &piece.dense_internal_lines, &piece.cut_outs, &piece.dense_cut_outs, &piece.grain, &piece.mirror}) {
-    runs += lines->size();
-    for (const aama::Run& run : *lines) {
-      vertices += run.points.size();
-      if (run.points.size() > 20'000) return "a line of more than 20000 points";
-    }
-  }
-  if (vertices > 60'000) return "more than 60000 points";
-  if (runs > 10'000) return "more than 10000 lines";
-  if (piece.points.size() + piece.grade_rules.size() > 60'000) return "more than 60000 marked points";
-  return piece.notches.size() + piece.drill_holes.size() > 5'000 ? "more than 5000 notches and drill holes" : nullptr;
-}
-
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
   return list;
-}
-
-void report_left_out(const aama::Sorted& sorted, const std::string& name, Report& report) {
-  const auto times = [](int count) { return std::to_string(count) + (count == 1 ? " time" : " times"); };
-  for (const auto& [layer, count] : sorted.unknown_layers)
-    report.warn("aama.unknown-layer", name,
-                "layer '" + layer + "' is in no standard; its lines (" + std::to_string(count) + ") are kept as internal lines",
-                "");
-  for (const auto& [what, count] : sorted.unread)
-    report.warn("aama.unsupported-entity", name, what + " (" + times(count) + ") is not read",
-                "export the curves as polylines (R12)");
-  for (const auto& [what, count] : sorted.not_kept)
-    report.note("aama.not-kept", name, what + " (" + times(count) + "): read, but a pattern has no place for it");
 }
 
 class Reader {
@@ -152,7 +101,7 @@ class Reader {
     evidence.style = style_;
     evidence.header = drawing_.header;
     aama::Sorted counted_later;
-    for (const PieceGroup& group : groups_) add_evidence(evidence, drawn(group, group.sample_block(), 1, counted_later));
+    for (const PieceGroup& group : groups_) aama::add_evidence(evidence, drawn(group, group.sample_block(), 1, counted_later));
     const std::optional<FileUnits> units = aama::decide_unit(evidence, options_.unit_in_metres, name_, report_);
     if (units) file_.units = *units;
     return units.has_value();
@@ -166,7 +115,7 @@ class Reader {
     aama::Sorted sorted;
     for (const PieceGroup& group : groups_) {
       samples_.push_back(drawn(group, group.sample_block(), file_.units.in_metres, sorted));
-      if (const char* much = too_much_in(samples_.back())) {
+      if (const char* much = aama::too_much_in(samples_.back())) {
         report_.error("dxf.too-large", samples_.back().place(), std::string("it has ") + much, "export it with fewer points");
         return false;
       }
@@ -176,8 +125,10 @@ class Reader {
       file_.facts.push_back(std::move(made->facts));
       folds_.push_back(made->fold);
     }
-    report_left_out(sorted, name_, report_);
+    aama::report_left_out(sorted, name_, report_);
     for (const std::string& text : style_.others) report_.note("aama.style-text", name_, "'" + text + "' is not read");
+    if (!style_.dates.empty())
+      report_.note("aama.style-date", name_, "'" + listed(style_.dates) + "': read, but a pattern has no place for it");
     return report_.ok();
   }
 
@@ -235,7 +186,7 @@ class Reader {
           sizes.push_back(&samples_[i]);
         } else {
           others.push_back(drawn(group, *block, file_.units.in_metres, ignored));
-          if (const char* much = too_much_in(others.back())) {
+          if (const char* much = aama::too_much_in(others.back())) {
             report_.error("dxf.too-large", others.back().place(), std::string("in size ") + size + " it has " + much,
                           "export it with fewer points");
             return;
@@ -320,11 +271,6 @@ class Reader {
   PatternFile file_;
 };
 
-Loaded<Pattern> pattern_of(Loaded<PatternFile> loaded) {
-  if (!loaded.value) return {std::nullopt, std::move(loaded.report)};
-  return {std::move(loaded.value->pattern), std::move(loaded.report)};
-}
-
 }  // namespace
 
 Loaded<PatternFile> read_dxf_pattern_bytes(std::string_view bytes, const std::string& name, const PatternReadOptions& options,
@@ -332,40 +278,6 @@ Loaded<PatternFile> read_dxf_pattern_bytes(std::string_view bytes, const std::st
   if (options.unit_in_metres && !(std::isfinite(*options.unit_in_metres) && *options.unit_in_metres > 0))
     throw std::invalid_argument("read_dxf_pattern: the unit must be a positive number of metres");
   return Reader(name, options, find_rules).read(bytes);
-}
-
-Loaded<PatternFile> read_dxf_pattern(const std::filesystem::path& file, const PatternReadOptions& options) {
-  Loaded<std::string> bytes = read_whole_file(file);
-  if (!bytes.value) return {std::nullopt, std::move(bytes.report)};
-  Report report = std::move(bytes.report);
-  // A table that cannot be read costs the other sizes only.
-  const FindRules find_rules = [&](const std::string& named, Report& to) -> std::optional<GradeTable> {
-    const auto beside = aama::rules_beside(file, named);
-    if (!beside) return {};
-    const Loaded<std::string> text = read_whole_file(*beside);
-    Loaded<GradeTable> table{std::nullopt, text.report};
-    if (text.value) table = read_rul_bytes(*text.value, beside->filename().string());
-    for (Finding& finding : table.report.findings)
-      if (finding.severity == Severity::error) finding.severity = Severity::warning;
-    to.append(table.report);
-    return std::move(table.value);
-  };
-  Loaded<PatternFile> loaded = read_dxf_pattern_bytes(*bytes.value, file.filename().string(), options, find_rules);
-  report.append(loaded.report);
-  if (!report.ok()) loaded.value.reset();
-  return {std::move(loaded.value), std::move(report)};
-}
-
-Loaded<Pattern> read_dxf_aama_bytes(std::string_view bytes, const std::string& name, std::optional<double> unit_in_metres) {
-  PatternReadOptions options;
-  options.unit_in_metres = unit_in_metres;
-  return pattern_of(read_dxf_pattern_bytes(bytes, name, options));
-}
-
-Loaded<Pattern> read_dxf_aama(const std::filesystem::path& file, std::optional<double> unit_in_metres) {
-  PatternReadOptions options;
-  options.unit_in_metres = unit_in_metres;
-  return pattern_of(read_dxf_pattern(file, options));
 }
 
 }  // namespace toile

@@ -68,7 +68,9 @@ StyleTexts style_texts(const std::vector<dxf::Entity>& entities) {
       texts.says_astm = true;
     } else if (key.find("aama") != std::string::npos || key == "tolerance") {
       texts.says_aama = true;
-    } else if (key != "creation date" && key != "creation time" && !entity.text.empty()) {
+    } else if (key == "creation date" || key == "creation time") {
+      texts.dates.push_back(entity.text);
+    } else if (!entity.text.empty()) {
       texts.others.push_back(entity.text);
     }
   }

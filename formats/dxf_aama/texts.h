@@ -20,6 +20,7 @@ struct StyleTexts {
   bool says_astm = false;   // a text that only ASTM has
   bool says_aama = false;   // likewise
   int units_line = 0;
+  std::vector<std::string> dates;   // "Creation Date" and "Creation Time", whole
   std::vector<std::string> others;  // texts without a known key, whole
 };
 

@@ -1,5 +1,6 @@
 #include "formats/dxf_aama/units.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +9,13 @@
 
 namespace toile::aama {
 namespace {
+
+Eigen::AlignedBox2d box_of(const std::vector<Run>& runs) {
+  Eigen::AlignedBox2d box;
+  for (const Run& run : runs)
+    for (const Eigen::Vector2d& p : run.points) box.extend(p);
+  return box;
+}
 
 struct Unit {
   const char* name;
@@ -118,6 +126,18 @@ FileUnits as_told(double metres) {
 }
 
 }  // namespace
+
+void add_evidence(UnitEvidence& evidence, const DrawnPiece& piece) {
+  Eigen::AlignedBox2d all, cut = box_of(piece.cut), sew = box_of(piece.sew);
+  for (const auto* runs : {&piece.cut, &piece.sew, &piece.dense_cut, &piece.dense_sew}) all.extend(box_of(*runs));
+  if (!all.isEmpty()) evidence.largest = std::max(evidence.largest, all.sizes().maxCoeff());
+  for (const DrawnNotch& notch : piece.notches)
+    if (notch.depth > 0) evidence.notch_depths.push_back(notch.depth);
+  if (cut.isEmpty() || sew.isEmpty()) return;
+  for (const double gap : {sew.min().x() - cut.min().x(), sew.min().y() - cut.min().y(), cut.max().x() - sew.max().x(),
+                           cut.max().y() - sew.max().y()})
+    if (gap > 1e-6 * all.sizes().maxCoeff()) evidence.allowances.push_back(gap);
+}
 
 std::optional<FileUnits> decide_unit(const UnitEvidence& e, std::optional<double> override_unit, const std::string& name,
                                      Report& report) {

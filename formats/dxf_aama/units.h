@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/dxf_aama/drawn_piece.h"
 #include "formats/dxf_aama/texts.h"
 #include "garment/pattern_file.h"
 #include "garment/report.h"
@@ -20,6 +21,9 @@ struct UnitEvidence {
   std::vector<double> notch_depths;  // those given, > 0
   std::vector<double> allowances;    // distance of the boxes round cut and sew line, > 0
 };
+
+// What the sizes of a piece, sorted in file units, say.
+void add_evidence(UnitEvidence& evidence, const DrawnPiece& piece);
 
 // Metres per file unit. In this order: `override_unit`; the text "Units"; $INSUNITS; $MEASUREMENT = 1; size alone. A statement
 // is believed when the largest piece is then 150 mm .. 2.5 m and notches (1 .. 15 mm) and allowances (2 .. 80 mm) are too;

@@ -105,6 +105,12 @@ void say_losses(const Pattern& pattern, const OneToOne& all, bool unplaced, Repo
     report.note(
         "garmentcode.edges-split", *cut.begin() + (cut.size() > 1 ? " and others" : ""),
         std::to_string(cut.size()) + " edges were split, because a stitch joins two whole edges and an edge is one curve");
+  std::string named;
+  for (const Seam& seam : pattern.seams)
+    if (!seam.name.empty() && seam.name != seam.a.piece + "." + seam.a.edge + " to " + seam.b.piece + "." + seam.b.edge)
+      named += (named.empty() ? "'" : ", '") + seam.name + "'";
+  if (!named.empty())
+    report.note("garmentcode.no-seam-name", "seams " + named, "the format has no names of seams; they are left out");
   if (unplaced)
     report.warn("garmentcode.no-placement", pattern.name,
                 "nothing says where the pieces hang round the body; they were laid side by side",

@@ -1,8 +1,41 @@
 #include "formats/html/page.h"
 
+#include <kainjow/mustache.hpp>
+
 #include "formats/formats.h"
 
 namespace toile::html {
+namespace {
+
+using kainjow::mustache::data;
+
+data as_data(const Slot& slot) {
+  switch (slot.kind()) {
+    case Slot::type::text:
+      return data(slot.text());
+    case Slot::type::condition:
+      return data(slot.holds());
+    case Slot::type::list: {
+      data list{data::type::list};
+      for (const Slot& row : slot.list_value()) list.push_back(as_data(row));
+      return list;
+    }
+    case Slot::type::fields:
+      break;
+  }
+  data fields;
+  for (std::size_t i = 0; i < slot.names().size(); ++i) fields.set(slot.names()[i], as_data(slot.list_value()[i]));
+  return fields;
+}
+
+}  // namespace
+
+void Slot::set(const std::string& name, Slot value) {
+  names_.push_back(name);
+  below_.push_back(std::move(value));
+}
+
+void Slot::push_back(Slot value) { below_.push_back(std::move(value)); }
 
 std::string rendered(const Slot& slots, const std::string& page, const std::string& pattern) {
   const auto refuse = [&](const std::string& why) {
@@ -11,7 +44,7 @@ std::string rendered(const Slot& slots, const std::string& page, const std::stri
   };
   kainjow::mustache::mustache form(page);
   if (!form.is_valid()) refuse(form.error_message());
-  std::string html = form.render(slots);
+  std::string html = form.render(as_data(slots));
   if (!form.error_message().empty()) refuse(form.error_message());
   return html;
 }

@@ -13,10 +13,6 @@ constexpr int most_elements = 100000;               // uses counted as often as 
 constexpr std::size_t most_points = 3000000;
 constexpr int deepest_use = 12;
 
-bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
-}
-
 struct Scope {
   Affine to_metres = Affine::Identity();
   Style style;
@@ -43,6 +39,11 @@ class Walker {
     if (bad_transforms_ > 0)
       report_.warn("svg.bad-transform", name_ + ":" + std::to_string(bad_transform_line_),
                    std::to_string(bad_transforms_) + " transforms cannot be read and are left out", "flatten the transforms");
+    if (clipped_ > 0)
+      report_.warn(
+          "svg.clip-path", name_ + ":" + std::to_string(clipped_line_),
+          "clipped or masked, and read whole with what that hides: " + std::to_string(clipped_) + " elements or groups",
+          "release the clips (Inkscape: Object > Clip) where they hide something");
     return std::move(drawing_);
   }
 
@@ -68,9 +69,7 @@ class Walker {
 
   void visit(const Element& element, const Scope& outer) {
     const std::string& name = element.name;
-    if (is_one_of(name, {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "style", "title", "desc", "metadata",
-                         "script", "linearGradient", "radialGradient", "filter", "namedview", "font"}))
-      return;
+    if (is_definition(element)) return;
     if (++elements_ > most_elements)
       return stop("svg.too-many-elements", element, "the file draws more than 100000 elements", "take decoration out of it");
     way_.push_back(&element);
@@ -85,6 +84,7 @@ class Walker {
       else if (++bad_transforms_ == 1)
         bad_transform_line_ = element.line;
     }
+    if (scope.style.is_clipped() && !scope.removed && ++clipped_ == 1) clipped_line_ = element.line;
     if (is_shape(element))
       shape(element, scope);
     else if (name == "text")
@@ -286,7 +286,7 @@ class Walker {
   std::vector<const Element*> way_;
   Drawing drawing_;
   std::map<std::size_t, std::string> on_paths_;
-  int elements_ = 0, paths_ = 0, bad_transforms_ = 0, bad_transform_line_ = 0;
+  int elements_ = 0, paths_ = 0, bad_transforms_ = 0, bad_transform_line_ = 0, clipped_ = 0, clipped_line_ = 0;
   std::size_t points_ = 0;
   bool stopped_ = false;
 };

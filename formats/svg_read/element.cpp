@@ -3,6 +3,7 @@
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 
+#include <algorithm>
 #include <climits>
 #include <memory>
 
@@ -138,6 +139,13 @@ std::string words_of(const Element& element) {
     if (child.name == "#text" || (child.name != "title" && child.name != "desc" && child.name != "style")) add(words_of(child));
   while (!words.empty() && words.back() == ' ') words.pop_back();
   return words;
+}
+
+bool is_definition(const Element& element) {
+  constexpr std::string_view names[] = {"defs",           "symbol", "clipPath",  "mask",     "pattern", "marker",
+                                        "style",          "title",  "desc",      "metadata", "script",  "linearGradient",
+                                        "radialGradient", "filter", "namedview", "font"};
+  return std::find(std::begin(names), std::end(names), element.name) != std::end(names);
 }
 
 }  // namespace toile::svg

@@ -25,6 +25,9 @@ struct Element {
 // "svg.not-well-formed", "svg.too-deep", "svg.no-svg". Entities of the file's own are not expanded in text: "svg.entity".
 Loaded<Element> read_elements(std::string_view bytes, const std::string& name);
 
+// Draws nothing where it stands: <defs>, <clipPath>, <metadata>, ...
+bool is_definition(const Element& element);
+
 bool is_gzip(std::string_view bytes);
 // `bytes` unpacked, at most `limit` of them; error "svg.broken-gzip" or "svg.too-large".
 Loaded<std::string> unzipped(std::string_view bytes, const std::string& name, std::size_t limit);

@@ -43,6 +43,8 @@ void set(Style& style, const Style& parent, const std::string& key, const std::s
       {"visibility", &Style::visibility},
       {"display", &Style::display},
       {"opacity", &Style::opacity},
+      {"clip-path", &Style::clip_path},
+      {"mask", &Style::mask},
       {"marker-start", &Style::marker_start},
       {"marker-end", &Style::marker_end},
       {"font-size", &Style::font_size},
@@ -199,6 +201,7 @@ Style StyleSheet::style_of(const std::vector<const Element*>& way, const Style& 
   Style style = parent;
   style.display = "inline";
   style.opacity = "1";
+  style.clip_path = style.mask = "none";
   for (const auto& [key, value] : element.attributes) set(style, parent, key, value);
   const auto own = declarations(element.get("style"));
   for (const bool important : {false, true}) {

@@ -11,6 +11,7 @@ namespace toile::svg {
 
 struct Style {
   std::string fill = "black", stroke = "none", dash = "none", visibility = "visible", display = "inline", opacity = "1";
+  std::string clip_path = "none", mask = "none";
   std::string marker_start = "none", marker_end = "none";
   std::string font_size = "16", font_weight = "400", text_anchor = "start";
 
@@ -18,6 +19,7 @@ struct Style {
   bool is_removed() const { return display == "none"; }  // with all below it
   bool is_drawn() const;                                 // it has a stroke or a fill
   bool is_dashed() const;
+  bool is_clipped() const { return clip_path != "none" || mask != "none"; }  // with all below it
 };
 
 class StyleSheet {

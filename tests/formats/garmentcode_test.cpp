@@ -185,7 +185,7 @@ TEST(GarmentCode, BadInputIsNamedWithItsPlace) {
   EXPECT_EQ(first_error(replaced(good, "[1,2]", "[1,9]")).code, "garmentcode.unknown-vertex");
   EXPECT_EQ(first_error(replaced(good, "[40,0]", "[0,0]")).code, "garmentcode.short-edge");
   EXPECT_EQ(first_error(replaced(good, "[40,0]", "[\"x\",0]")).code, "garmentcode.bad-value");
-  EXPECT_EQ(first_error(replaced(good, "\"translation\"", "\"shift\"")).code, "garmentcode.missing");
+  EXPECT_EQ(first_error(replaced(good, "\"vertices\"", "\"corners\"")).code, "garmentcode.missing");
   EXPECT_EQ(
       first_error(replaced(good, R"("endpoints":[1,2])", R"("endpoints":[1,2],"curvature":{"type":"spiral","params":[]})"))
           .code,

@@ -132,6 +132,7 @@ TEST(WriteGarmentCode, SplitsEdgesWhereTheFormatNeedsIt) {
   EXPECT_TRUE(said("garmentcode.copies"));
   EXPECT_TRUE(said("garmentcode.edges-split"));
   EXPECT_TRUE(said("garmentcode.no-placement"));
+  EXPECT_TRUE(said("garmentcode.no-seam-name"));
 }
 
 TEST(WriteGarmentCode, ReadsRealPatternsBackIdentically) {

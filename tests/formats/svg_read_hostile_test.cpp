@@ -150,5 +150,18 @@ TEST(SvgHostile, DamagedFilesNeverStopTheReader) {
   }
 }
 
+TEST(SvgHostile, WhatAClipHidesIsReadAndSaid) {
+  const auto loaded = read_text(
+      svg_mm("<clipPath id='c'><rect width='10' height='10'/></clipPath><style>.m{mask:url(#m)}</style>"
+             "<g clip-path='url(#c)'><rect x='10' y='10' width='300' height='400' fill='none' stroke='black'/></g>"
+             "<path class='m' d='M 500 10 h 300 v 400 h -300 z' fill='none' stroke='black' style='clip-path:none'/>"));
+  ASSERT_TRUE(loaded.value);
+  EXPECT_EQ(loaded.value->pattern.pieces.size(), 2u);
+  const auto said = std::find_if(loaded.report.findings.begin(), loaded.report.findings.end(),
+                                 [](const Finding& f) { return f.code == "svg.clip-path"; });
+  ASSERT_NE(said, loaded.report.findings.end());
+  EXPECT_NE(said->text.find("2 elements"), std::string::npos) << said->text;
+}
+
 }  // namespace
 }  // namespace toile
