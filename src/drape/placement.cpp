@@ -108,10 +108,13 @@ double radius_at(const Radii& radii, double below) {
   return row + 1 < radii.size() ? (1 - share) * radii[row] + share * radii[row + 1] : radii[row];
 }
 
-// Rest positions turned so that the grain stands upright, or runs round; a grain line has no head, so by less than a half turn.
+constexpr double lying = 1e-6;
+
+// Rest positions turned so that the grain stands upright, or runs round; a grain line has no head, so by less than a half turn,
+// and by a quarter turn always with the clock.
 Eigen::Matrix2Xd as_worn(const PanelMesh& panel, bool grain_round) {
   Eigen::Vector2d up = grain_round ? Eigen::Vector2d(-panel.warp.y(), panel.warp.x()) : panel.warp;
-  if (up.y() < 0) up = -up;
+  if (up.y() < -lying || (up.y() < lying && up.x() > 0)) up = -up;
   Eigen::Matrix2d turn;
   turn << up.y(), -up.x(), up.x(), up.y();
   return turn * panel.rest;

@@ -95,7 +95,18 @@ std::vector<int> ring_of(const Attempt& attempt, int role) {
 
 double within_turn(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-std::optional<BodyPart> part_of_body(const Attempt& attempt, int panel, Hand hand) {
+// Bands lie round the body; their grain runs along them or across.
+bool grain_lies(const Piece& piece, const Panel& cut) {
+  const Eigen::Vector2d drawn =
+      piece.grainline ? Eigen::Vector2d(piece.grainline->to - piece.grainline->from) : Eigen::Vector2d(0, 1);
+  const Eigen::Vector2d worn = cut.turn * drawn;
+  return std::abs(worn.x()) > std::abs(worn.y());
+}
+
+// Height of the bands that the templates' places are meant for: a higher one begins higher, to end at the same height.
+constexpr double usual_band = .04;  // m
+
+std::optional<BodyPart> part_of_body(const Attempt& attempt, const Pattern& pattern, int panel, Hand hand) {
   const PieceName& name = name_of(attempt, panel);
   if (name.role < 0) return std::nullopt;
   const PieceRole& role = attempt.garment->roles[u(name.role)];
@@ -106,9 +117,11 @@ std::optional<BodyPart> part_of_body(const Attempt& attempt, int panel, Hand han
   if (place == role.places.end()) place = fits("");
   if (place == role.places.end()) return std::nullopt;
   BodyPart at = place->at;
-  // The grain of a band runs round the body where it is drawn along the band.
   const Panel& cut = attempt.all.panels[u(panel)];
-  at.grain_round = at.grain_round && !cut.turn.isIdentity();
+  if (at.grain_round) {
+    at.grain_round = grain_lies(pattern.pieces[u(cut.piece)], cut);
+    at.drop -= std::max(0.0, cut.height - usual_band);
+  }
   const bool limb = at.part == "arm" || at.part == "leg";
   if (hand == Hand::unknown) return limb ? std::nullopt : std::optional(at);
   at.angle += place->half;
@@ -126,7 +139,7 @@ std::vector<std::string> place_on_body(const Attempt& attempt, Pattern& pattern)
     const Panel& panel = attempt.all.panels[u(p)];
     Piece& piece = pattern.pieces[u(panel.piece)];
     piece.body_part.resize(u(copies(piece)));
-    piece.body_part[u(panel.copy - 1)] = part_of_body(attempt, p, hands[u(p)]);
+    piece.body_part[u(panel.copy - 1)] = part_of_body(attempt, pattern, p, hands[u(p)]);
   }
   for (int r = 0; r < static_cast<int>(attempt.garment->roles.size()); ++r) {
     const std::vector<int> ring = ring_of(attempt, r);
