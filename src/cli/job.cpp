@@ -14,6 +14,7 @@
 #include "edit/arguments.h"
 #include "formats/formats.h"
 #include "garment/units.h"
+#include "workbench/locked_edges.h"
 #include "workbench/replica.h"
 
 namespace toile {
@@ -204,6 +205,11 @@ void make_target(Job& job, Progress& progress) {
 
 void adjust_and_redraw(Job& job, Progress& progress) {
   const Recipe& recipe = job.recipe;
+  if (!recipe.adjust.locked.empty()) {
+    Pattern pattern = edited_pattern(job);
+    lock_edges(pattern, recipe.adjust.locked, job.recipe_file.string());
+    job.target.pattern = std::make_shared<const Pattern>(std::move(pattern));
+  }
   progress.begin("adjust");
   AdjustOptions options;
   options.most_steps = recipe.adjust.steps;

@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "formats/formats.h"
 #include "garment/units.h"
@@ -201,6 +202,10 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   adjusting.whole_number("steps", recipe.adjust.steps, 1, 50);
   adjusting.number("tolerance", recipe.adjust.tolerance, 1e-8, 1e-1);
   if (const auto other = adjusting.text("fabric")) recipe.adjust.fabric = fabric_named(*other, folder);
+  if (const toml::node* locked = adjusting.find("locked")) {
+    std::istringstream names(argument_text(*locked, adjusting, "locked"));
+    for (std::string name; std::getline(names, name, ',');) recipe.adjust.locked.push_back(name);
+  }
   adjusting.refuse_unknown();
 
   Section cut = section("cut", false);

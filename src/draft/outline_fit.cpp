@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "draft/locked.h"
 #include "draft/pattern_model.h"
 #include "garment/units.h"
 
@@ -140,6 +141,7 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
   PatternModel model(original, likeness, panels, options.curve_tolerance);
   const std::vector<Junction> junctions = smooth_junctions(model.models, model.unknowns);
   const std::vector<Truing> seams = truings(original);
+  const std::vector<KeptDistance> locked = kept_distances(original);
   const Eigen::VectorXd drawn = model.unknowns;
   std::map<int, int> panels_of_shape;
   for (const PanelOutline& panel : panels) ++panels_of_shape[model.lay(panel.piece).shape];
@@ -170,6 +172,14 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
         for (const auto& corner : model.models[m].corners)
           for (const Coordinate& c : corner)
             if (c.unknown >= 0) system.add({{c.unknown, 1.0}}, model.unknowns(c.unknown) - drawn(c.unknown), 1);
+    for (const KeptDistance& kept : locked) {
+      if (!true_seams) break;
+      const ModelLength apart =
+          length_of({model.on_edge(kept.piece, kept.edge, kept.from), model.on_edge(kept.piece, kept.edge, kept.to)});
+      const int row = static_cast<int>(system.violations.size());
+      for (const auto& [unknown, slope] : apart.slopes) system.constraints.emplace_back(row, unknown, slope);
+      system.violations.push_back(apart.value - kept.distance);
+    }
     for (const Truing& seam : seams) {
       if (!true_seams) break;
       const ModelLength a = length_of(model.edge_points(seam.piece_a, seam.edge_a));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "draft/locked.h"
+
 namespace toile {
 namespace {
 
@@ -33,8 +35,19 @@ PatternModel::PatternModel(const Pattern& original, const Likeness& likeness, co
     }
   }
   std::vector<double> values;
-  for (const SharedShape& shape : likeness.shapes)
-    models.push_back(model_of(shape, bend_counts(shape, likeness.lays, sides_, panels, tolerance), values));
+  for (const SharedShape& shape : likeness.shapes) {
+    std::vector<int> bends = bend_counts(shape, likeness.lays, sides_, panels, tolerance);
+    const int count = static_cast<int>(bends.size());
+    for (const int p : shape.pieces)
+      for (int i = 0; i < count; ++i) {
+        const auto piece = static_cast<std::size_t>(p);
+        if (!is_locked(original.pieces[piece], sides_[piece].runs[static_cast<std::size_t>(i)])) continue;
+        const int r = run_of(likeness.lays[piece], i, count);
+        bends[static_cast<std::size_t>(r)] = 0;
+        if (shape.mirror) bends[static_cast<std::size_t>((((*shape.mirror - r) % count) + count) % count)] = 0;
+      }
+    models.push_back(model_of(shape, bends, values));
+  }
   add_turns(values);
   unknowns = Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }

@@ -29,7 +29,8 @@ struct Redrawn {
 //  4. Grain lines keep their direction: a piece is laid so that its panels' mean rotation is zero. Notches keep their fraction
 //  of
 //     their edge; lines and holes inside a piece go where its cloth goes.
-//  5. An unchanged rest shape, wherever its panels lie and however they are turned, gives the original back.
+//  5. A locked edge comes out congruent to how it was drawn.
+//  6. An unchanged rest shape, wherever its panels lie and however they are turned, gives the original back.
 // Throws std::invalid_argument when garment and pattern do not belong together.
 Redrawn redraw(const Pattern& original, const GarmentMesh& garment, const RestShape& rest, const RedrawOptions& options = {});
 

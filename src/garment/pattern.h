@@ -23,6 +23,7 @@ struct Edge {
   std::vector<OutlinePoint> points;      // at least two, in outline order
   std::optional<double> seam_allowance;  // m; absent: the cut sheet's default
   bool hem = false;                      // turned up, not sewn to another edge: takes the cut sheet's hem allowance
+  bool locked = false;                   // the adjustment may move and turn it, but not change its shape
   bool operator==(const Edge&) const = default;
 };
 

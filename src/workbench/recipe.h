@@ -45,6 +45,7 @@ struct Recipe {
     std::optional<double> height;  // m, of the body that the edited garment is scaled to
   } replica;
   struct {
+    std::vector<std::string> locked;   // edges that keep their shape: "neck", "FRONT.neck"
     std::optional<FabricName> fabric;  // that the new pattern is cut from, when it is another
     int steps = 5;
     double tolerance = 1e-3;  // of the drapes inside the loop

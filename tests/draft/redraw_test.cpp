@@ -235,6 +235,38 @@ TEST(Redraw, FollowsACurveThatTurnsBackOnItself) {
   EXPECT_LT(result.symmetry, 1e-9);
 }
 
+// Distances between all points of an edge, which no turn or shift changes.
+double shape_change(const Edge& before, const Edge& after) {
+  const auto a = positions(before), b = positions(after);
+  double worst = 0;
+  for (int i = 0; i <= 20; ++i)
+    for (int j = 0; j < i; ++j) {
+      const auto apart = [&](const std::vector<Eigen::Vector2d>& line) {
+        return (point_at<2>(line, i / 20.0) - point_at<2>(line, j / 20.0)).norm();
+      };
+      worst = std::max(worst, std::abs(apart(a) - apart(b)));
+    }
+  return worst;
+}
+
+TEST(Redraw, LeavesALockedEdgeAsItWasDrawn) {
+  HandMade made = curved_bodice();
+  for (const char* id : {"armhole", "side"}) {
+    HandMade locked = made;
+    for (Edge& edge : locked.pattern.pieces[0].outline) edge.locked = edge.id == id;
+    const RestShape wider = mapped(made.garment, [](int, const Eigen::Vector2d& x) -> Eigen::Vector2d {
+      return {1.05 * x.x(), 1.02 * x.y() + .1 * x.x() * x.x()};
+    });
+    const Redrawn free = redraw(made.pattern, made.garment, wider), kept = redraw(locked.pattern, made.garment, wider);
+    const Edge& drawn = edge_named(made.pattern, "front", id);
+    EXPECT_GT(shape_change(drawn, edge_named(free.pattern, "front", id)), 1e-3) << id;
+    EXPECT_LT(shape_change(drawn, edge_named(kept.pattern, "front", id)), 2e-5) << id;
+    EXPECT_NEAR(length(edge_named(kept.pattern, "front", id)), length(drawn), 2e-5) << id;
+    EXPECT_LT(kept.seam_mismatch, 1e-9);
+    EXPECT_EQ(kept.pattern.pieces[0].outline.size(), made.pattern.pieces[0].outline.size());
+  }
+}
+
 TEST(Redraw, RefusesAMeshOfAnotherPattern) {
   const HandMade made = gored_skirt();
   RestShape rest = rest_shape(made.garment);
