@@ -1,10 +1,14 @@
 #pragma once
 // What verbs share on the command line: exit codes in the help, and the flags of verbs that fill a folder.
 
-#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 
 #include "cli/progress.h"
+
+namespace CLI {
+class App;
+}
 
 namespace toile {
 
@@ -23,17 +27,7 @@ struct FolderFlags {
   bool force = false, quiet = false;
   std::string progress = "auto";
 
-  void add_to(CLI::App* verb, const std::string& explained) {
-    verb->footer(explained + "\n\n" + exit_codes_help);
-    verb->add_option("--out,-o", out, "folder for the results; made when missing")->required()->type_name("DIR");
-    verb->add_flag("--force,-f", force, "write into a folder that is not empty, replacing files of the same names");
-    verb->add_option(
-            "--progress", progress,
-            "progress on standard error: a bar on a terminal, else a line a stage (auto); one JSON object a line (json); none")
-        ->check(CLI::IsMember({"auto", "json", "none"}))
-        ->capture_default_str();
-    verb->add_flag("--quiet,-q", quiet, "the same as --progress none, and no notes or warnings");
-  }
+  void add_to(CLI::App* verb, const std::string& explained);
 
   template <class Options>
   void give(Options& options) const {

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/common_flags.h"
@@ -14,7 +15,10 @@ patented (US 9177423, EP 2856433): check before commercial use.
 
 Written to the output folder:
   SIZE/                       for every size what `toile run` writes
-  grading.html                the sizes side by side: error of the re-drape, ease, pieces, what every corner moves)";
+  grading.html                the sizes side by side: error of the re-drape, ease, pieces, what every corner moves
+  NAME.nest.dxf               every size in one file (AAMA), one block for each size of each piece
+  NAME.base.dxf, NAME.rul     the recipe's size with grade rule numbers, and their table
+Both graded files are read back: every size comes out within 0.05 mm.)";
 
 }  // namespace
 

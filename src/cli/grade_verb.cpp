@@ -8,6 +8,7 @@
 
 #include "cli/account.h"
 #include "cli/exit_codes.h"
+#include "cli/graded_files.h"
 #include "cli/job.h"
 #include "cli/output_folder.h"
 #include "cli/recipe_file.h"
@@ -114,6 +115,27 @@ GradingReport report_on(const std::string& title, const std::vector<Done>& sizes
   return report;
 }
 
+// All sizes in one file, and the recipe's size (or the first, where it is not asked for) with rules; both read back.
+void write_graded(const Job& base, const std::vector<Done>& sizes, const OutputFolder& out) {
+  if (sizes.size() < 2) return;
+  PatternFile graded;
+  for (const Done& done : sizes) {
+    graded.sizes.push_back(done.size);
+    graded.graded.push_back(done.pattern);
+    graded.graded.back().sample_size = done.size;
+  }
+  graded.graded = with_same_points(std::move(graded.graded));
+  const auto sample = std::find(graded.sizes.begin(), graded.sizes.end(), base.recipe.body.size);
+  graded.pattern = graded.graded[sample == graded.sizes.end() ? 0 : static_cast<std::size_t>(sample - graded.sizes.begin())];
+  const std::string stem = file_stem(base.recipe_file);
+  const GradedFiles files = graded_files(graded, stem, base.recipe.cut);
+  write_whole_file(out.path(stem + ".nest.dxf"), files.nest);
+  write_whole_file(out.path(stem + ".base.dxf"), files.base);
+  write_whole_file(out.path(stem + ".rul"), files.rules);
+  for (const char* name : {".nest.dxf", ".base.dxf"})
+    check_graded(graded, value_or_throw(read_pattern_file(out.path(stem + name))), stem + name);
+}
+
 }  // namespace
 
 int grade_recipe(const GradeOptions& options) {
@@ -143,8 +165,10 @@ int grade_recipe(const GradeOptions& options) {
     done.push_back(make_size(base, size, options, recipe_text, progress));
     if (code == exit_ok || done.back().code == exit_not_converged) code = done.back().code;
   }
-  write_grading(out.path("grading.html"), report_on(base.recipe.name + ", sizes " + options.sizes, done),
-                template_file("reports", "grading.html"));
+  write_graded(base, done, out);
+  GradingReport report = report_on(base.recipe.name + ", sizes " + options.sizes, done);
+  for (const std::string& file : out.names()) report.files.push_back(file);
+  write_grading(out.path("grading.html"), report, template_file("reports", "grading.html"));
   out.keep();
   double worst = 0, mismatch = 0;
   for (const Done& size : done) {

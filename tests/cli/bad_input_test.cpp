@@ -125,10 +125,16 @@ TEST_F(BadInputs, MissingPattern) {
   refused(66, "file.missing", "circle_skirt\\.dxf");
 }
 
-TEST_F(BadInputs, MissingSeams) {
+// Seams that can be told from the pieces are proposed (sew_verb_test); these pieces have no edge in common.
+TEST_F(BadInputs, SeamsThatCannotBeTold) {
+  recipe_ = with(recipe_, "gored_skirt.dxf", "odd.json");
   here_.write("job.toml", recipe_);
-  here_.write("gored_skirt.dxf", dxf_);
-  refused(65, "pattern.no-seams", "gored_skirt\\.dxf", {"gored_skirt.seams.toml"});
+  here_.write("odd.json", R"({"properties": {"units_in_meter": 100}, "pattern": {"stitches": [], "panels": {
+    "p": {"vertices": [[0,0],[40,0],[40,61],[0,52]], "translation": [0,100,20], "rotation": [0,0,0],
+      "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,3]},{"endpoints":[3,0]}]},
+    "q": {"vertices": [[0,0],[11,0],[5,17]], "translation": [0,100,-20], "rotation": [0,0,0],
+      "edges": [{"endpoints":[0,1]},{"endpoints":[1,2]},{"endpoints":[2,0]}]}}}})");
+  refused(12, "seams.unsure", "odd\\.json", {"nothing says what is sewn to what", "toile sew", "odd.seams.toml"});
 }
 
 TEST_F(BadInputs, TruncatedDxf) {

@@ -63,6 +63,10 @@ TEST_F(RecipeVerbs, GradeMakesEverySizeWithItsCertificate) {
   }
   const std::string page = contents(here_ / "out/grading.html");
   EXPECT_NE(page.find("40/report.html"), std::string::npos);
+  for (const char* file : {"shorter.nest.dxf", "shorter.base.dxf", "shorter.rul"}) {
+    EXPECT_TRUE(std::filesystem::exists(here_ / ("out/" + std::string(file)))) << file;
+    EXPECT_NE(page.find(file), std::string::npos) << file;
+  }
 }
 
 TEST_F(RecipeVerbs, GradeRefusesSizesThatAreNotThere) {
