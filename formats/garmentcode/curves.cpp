@@ -38,7 +38,7 @@ std::vector<Eigen::Vector2d> arc_between(const Eigen::Vector2d& from, const Eige
   const Eigen::Vector2d centre = (from + to) / 2 + side * left;
   const double short_way = 2 * std::asin(std::min(half / r, 1.0));
   const double sweep = (right ? 1 : -1) * (large ? 2 * std::numbers::pi - short_way : short_way);
-  const double step = 2 * std::acos(std::max(1 - tolerance / r, -1.0));  // its chord's sagitta is the tolerance
+  const double step = 4 * std::asin(std::min(std::sqrt(tolerance / (2 * r)), 1.0));  // its chord's sagitta is the tolerance
   const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / step)));
   const double begin = std::atan2(from.y() - centre.y(), from.x() - centre.x());
   std::vector<Eigen::Vector2d> points;

@@ -15,6 +15,8 @@ using Json = nlohmann::json;
 
 constexpr double chord_error = 0.05e-3;  // m
 constexpr double shortest_edge = 1e-6;   // m, a vertex given twice
+constexpr double farthest = 100;         // m, of a coordinate
+constexpr double largest_radius = 1e4;   // m; beyond it the centre is lost to rounding
 
 // What is wrong with this panel; becomes one finding.
 struct Wrong {
@@ -33,6 +35,16 @@ Eigen::Matrix<double, N, 1> numbers(const Json& node, const std::string& what, c
               "Export the pattern again, or correct it by hand"};
 }
 
+// A place, from file units to metres.
+template <int N>
+Eigen::Matrix<double, N, 1> in_metres(const Eigen::Matrix<double, N, 1>& at, double metres, const std::string& what,
+                                      const std::string& place) {
+  const Eigen::Matrix<double, N, 1> out = metres * at;
+  if (out.cwiseAbs().maxCoeff() <= farthest) return out;
+  throw Wrong{"garmentcode.too-large", place, what + " is more than 100 m away",
+              "Check it, and the file's properties.units_in_meter"};
+}
+
 const Json& member(const Json& node, const char* key, const std::string& place) {
   if (node.is_object())
     if (const auto found = node.find(key); found != node.end()) return *found;
@@ -46,16 +58,17 @@ std::vector<Eigen::Vector2d> read_vertices(const Json& panel, double metres, con
   if (!list.is_array() || list.size() < 3)
     throw Wrong{"garmentcode.bad-value", place, "'vertices' must be a list of at least three points", "Complete the panel"};
   for (std::size_t i = 0; i < list.size(); ++i)
-    vertices.push_back(metres * numbers<2>(list[i], "vertex " + std::to_string(i), place));
+    vertices.push_back(
+        in_metres<2>(numbers<2>(list[i], "vertex " + std::to_string(i), place), metres, "vertex " + std::to_string(i), place));
   return vertices;
 }
 
 Eigen::Vector2d control_point(const Json& node, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                               const GarmentCodeUnits& units, const std::string& place) {
   const Eigen::Vector2d p = numbers<2>(node, "a control point", place);
-  if (!units.relative_curves) return units.metres * p;
+  if (!units.relative_curves) return in_metres<2>(p, units.metres, "a control point", place);
   const Eigen::Vector2d along = to - from, left(-along.y(), along.x());
-  return from + p.x() * along + p.y() * left;
+  return in_metres<2>(from + p.x() * along + p.y() * left, 1, "a control point", place);
 }
 
 bool flag(const Json& node, const std::string& place) {
@@ -88,6 +101,8 @@ std::vector<Eigen::Vector2d> points_between(const Json& edge, const Eigen::Vecto
   if (name == "circle" && params->size() == 3 && (*params)[0].is_number()) {
     const double radius = units.metres * (*params)[0].get<double>();
     const double half = (to - from).norm() / 2;
+    if (!(radius <= largest_radius))
+      throw Wrong{"garmentcode.bad-curve", place, "the circle's radius is more than 10 km", "Write a straight edge instead"};
     if (!(radius > half * .99))
       throw Wrong{"garmentcode.bad-curve", place,
                   "no circle of radius " + in_mm(radius) + " passes through two points " + in_mm(2 * half) + " apart",
@@ -201,7 +216,7 @@ std::optional<Piece> read_panel(const Json& panel, const std::string& name, cons
     if (placed) {
       const Eigen::Vector3d rotation = numbers<3>(panel["rotation"], "'rotation'", place);
       const Eigen::Vector3d translation = numbers<3>(panel["translation"], "'translation'", place);
-      piece.placement = {Placement{turned(rotation), units.metres * translation}};
+      piece.placement = {Placement{turned(rotation), in_metres<3>(translation, units.metres, "'translation'", place)}};
     } else {
       report.warn("garmentcode.no-placement", place,
                   "nothing says where the panel hangs: 'rotation' or 'translation' is missing",

@@ -196,6 +196,21 @@ TEST(GarmentCode, BadInputIsNamedWithItsPlace) {
             "garmentcode.bad-curve");
 }
 
+TEST(GarmentCode, NumbersBeyondAnyGarmentAreErrors) {
+  const std::string good = two_panels();
+  EXPECT_EQ(first_error(replaced(good, "[40,0]", "[1e308,0]")).code, "garmentcode.too-large");
+  EXPECT_EQ(first_error(replaced(good, "[-20, 40, 25]", "[1e308, 40, 25]")).code, "garmentcode.too-large");
+  EXPECT_EQ(first_error(two_panels("1e-300")).code, "garmentcode.too-large");
+  const auto curved = [&](const std::string& type, const std::string& params) {
+    return replaced(good, R"("endpoints":[1,2])",
+                    R"("endpoints":[1,2],"curvature":{"type":")" + type + R"(","params":[)" + params + "]}");
+  };
+  EXPECT_EQ(first_error(curved("quadratic", "[0.5,1e200]")).code, "garmentcode.too-large");
+  EXPECT_EQ(first_error(curved("circle", "1e300,0,1")).code, "garmentcode.bad-curve");
+  EXPECT_EQ(first_error(curved("circle", "1e9,0,1")).code, "garmentcode.bad-curve");
+  EXPECT_TRUE(read(curved("circle", "1e5,0,1")).value);
+}
+
 TEST(GarmentCode, StitchesThatNameNothingAreErrors) {
   const std::string good = two_panels();
   const Finding piece = first_error(replaced(good, R"({"panel":"back","edge":0})", R"({"panel":"sleeve","edge":0})"));
