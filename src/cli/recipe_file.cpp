@@ -204,7 +204,7 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   if (const auto other = adjusting.text("fabric")) recipe.adjust.fabric = fabric_named(*other, folder);
   if (const toml::node* locked = adjusting.find("locked")) {
     std::istringstream names(argument_text(*locked, adjusting, "locked"));
-    for (std::string name; std::getline(names, name, ',');) recipe.adjust.locked.push_back(name);
+    for (std::string edge; std::getline(names, edge, ',');) recipe.adjust.locked.push_back(edge);
   }
   adjusting.refuse_unknown();
 
