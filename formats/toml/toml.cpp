@@ -1,9 +1,9 @@
 #include "formats/toml/toml.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <sstream>
+
+#include "garment/tomlplusplus.inc"
 
 namespace toile {
 namespace {
@@ -41,6 +41,27 @@ TomlNode plain(const toml::node& node) {
   return out;
 }
 
+bool takes_for_granted(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const TomlTakenForGranted&) {
+    return true;
+  }
+  return false;
+}
+
+// The line up to which `bytes` must be read for the parser to meet what it takes for granted.
+std::ptrdiff_t line_of_what_is_broken(std::string_view bytes) {
+  std::vector<std::size_t> ends;
+  for (std::size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1)) ends.push_back(at + 1);
+  ends.push_back(bytes.size());
+  const auto first =
+      std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) { return !takes_for_granted(bytes.substr(0, end)); });
+  return 1 + std::min(first - ends.begin(), static_cast<std::ptrdiff_t>(ends.size()) - 1);
+}
+
 }  // namespace
 
 Loaded<TomlNode> parse_toml(const std::string& bytes, const std::string& file) {
@@ -52,6 +73,9 @@ Loaded<TomlNode> parse_toml(const std::string& bytes, const std::string& file) {
     out.report.error("toml.syntax", file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column),
                      "not TOML here: " + std::string(error.description()),
                      "Texts stand in double quotes, lists in [ ], and every table begins with its name in [ ] or [[ ]]");
+  } catch (const TomlTakenForGranted&) {
+    out.report.error("toml.syntax", file + ":" + std::to_string(line_of_what_is_broken(bytes)), "not TOML here",
+                     "Names of tables and keys are of letters, digits, - and _ or in double quotes; lists stand in [ ]");
   }
   return out;
 }

@@ -1,11 +1,11 @@
 #include "cli/recipe_file.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <sstream>
 
 #include "formats/formats.h"
+#include "formats/toml/toml.h"
+#include "garment/tomlplusplus.inc"
 #include "garment/units.h"
 
 namespace toile {
@@ -220,20 +220,25 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
 
 }  // namespace
 
-Loaded<Recipe> read_recipe(const std::filesystem::path& file) {
+Loaded<Recipe> read_recipe_text(const std::string& text, const std::filesystem::path& file) {
   Loaded<Recipe> loaded;
-  const Loaded<std::string> text = read_whole_file(file);
-  loaded.report = text.report;
-  if (!text.value) return loaded;
+  if (const Loaded<TomlNode> tree = parse_toml(text, file.string()); !tree.value) {
+    loaded.report = tree.report;
+    for (Finding& finding : loaded.report.findings) finding.code = "recipe.not-toml";
+    return loaded;
+  }
   try {
-    loaded.value = parse(toml::parse(*text.value), file);
-  } catch (const toml::parse_error& error) {
-    loaded.report.error("recipe.not-toml", file.string() + ":" + std::to_string(error.source().begin.line),
-                        std::string(error.description()), "Correct the recipe there");
+    loaded.value = parse(toml::parse(text), file);
   } catch (const BadInput& bad) {
     loaded.report.findings.push_back(bad.finding());
   }
   return loaded;
+}
+
+Loaded<Recipe> read_recipe(const std::filesystem::path& file) {
+  const Loaded<std::string> text = read_whole_file(file);
+  if (!text.value) return {std::nullopt, text.report};
+  return read_recipe_text(*text.value, file);
 }
 
 }  // namespace toile

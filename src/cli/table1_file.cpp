@@ -1,8 +1,7 @@
 #include "cli/table1_file.h"
 
-#include <toml++/toml.h>
-
 #include "formats/formats.h"
+#include "garment/tomlplusplus.inc"
 
 namespace toile {
 

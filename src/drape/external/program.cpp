@@ -1,7 +1,5 @@
 #include "drape/external/program.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -11,6 +9,7 @@
 
 #include "garment/report.h"
 #include "garment/templates.h"
+#include "garment/tomlplusplus.inc"
 #include "garment/units.h"
 
 namespace toile::external {
@@ -164,6 +163,8 @@ Program read_program(const fs::path& file) {
   } catch (const toml::parse_error& error) {
     refuse(file.string() + ":" + std::to_string(error.source().begin.line), std::string(error.description()),
            "See the README of templates/simulators");
+  } catch (const TomlTakenForGranted&) {
+    refuse(file.string(), "not TOML", "See the README of templates/simulators");
   }
   const Table table(root, file, {"name",    "summary",   "program",    "variable", "install", "command", "units",
                                  "up",      "clearance", "time_limit", "most_gap", "garment", "result",  "result_vertices",
