@@ -1,5 +1,6 @@
 #include "cli/proposed_seams.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/garment_template/garment_template.h"
@@ -62,6 +63,16 @@ Pattern with_proposed_seams(const Pattern& pattern, const std::filesystem::path&
                     "Let `toile sew` write its proposal, correct it, and keep it as " + file.stem().string() +
                         ".seams.toml beside the pattern",
                     Fault::ambiguous});
+  Pattern shell = proposal.pattern;
+  if (!proposal.extras.empty()) {
+    const auto extra = [&](const Piece& piece) {
+      return std::count(proposal.extras.begin(), proposal.extras.end(), piece.name) > 0;
+    };
+    shell.pieces.erase(std::remove_if(shell.pieces.begin(), shell.pieces.end(), extra), shell.pieces.end());
+    report.warn("pieces.not-sewn", file.filename().string(),
+                "left out, since they lie on other pieces or bind their edges: " + listed(proposal.extras),
+                "They are not draped and not in the new pattern: cut them as before, to the new lengths");
+  }
   for (const ProposedSeam& seam : proposal.seams)
     report.note("seams.proposed", file.filename().string(), in_words(proposal.pattern, seam));
   report.warn("seams.proposed", file.filename().string(),
@@ -69,7 +80,7 @@ Pattern with_proposed_seams(const Pattern& pattern, const std::filesystem::path&
                   " with " + std::to_string(proposal.seams.size()) + " seams that the program found, the least sure " +
                   percent(proposal.least_confidence),
               "Look at the drape; `toile sew` writes these seams to a file you can correct");
-  return proposal.pattern;
+  return shell;
 }
 
 }  // namespace toile

@@ -18,6 +18,8 @@ std::string commented(const Proposal& proposal) {
                     (proposal.garment.empty() ? std::string(": by the shapes alone") : ", as a " + proposal.garment) +
                     ". Correct what is wrong, then keep this file beside the pattern.\n";
   for (const std::string& name : proposal.apart) out += "# Not sewn to anything: " + name + "\n";
+  for (const std::string& name : proposal.extras)
+    out += "# Lies on other pieces or binds their edges, not sewn: " + name + "\n";
   for (const std::string& name : proposal.unplaced) out += "# Where on the body it sits is not known: " + name + "\n";
   std::size_t seam = 0, at = 0;
   const std::string head = "[[seam]]\n";
@@ -59,7 +61,8 @@ int sew_pattern(const SewOptions& options) {
   write_whole_file(options.out, commented(proposal));
   std::printf("%zu seams%s, the least sure %.0f %%; %zu pieces not sewn, %zu not placed; written to %s\n",
               proposal.seams.size(), proposal.garment.empty() ? " by the shapes alone" : (" of a " + proposal.garment).c_str(),
-              100 * proposal.least_confidence, proposal.apart.size(), proposal.unplaced.size(), options.out.string().c_str());
+              100 * proposal.least_confidence, proposal.apart.size() + proposal.extras.size(), proposal.unplaced.size(),
+              options.out.string().c_str());
   return exit_ok;
 }
 

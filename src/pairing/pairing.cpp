@@ -110,8 +110,13 @@ Proposal propose_seams(const Pattern& pattern, const std::vector<GarmentTemplate
   for (std::size_t p = 0; p < part.size(); ++p)
     if (part[p] != largest->first) loose[u(best.all.panels[p].piece)] = true;
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-    if (loose[p] || !best.sewn[p]) out.apart.push_back(pattern.pieces[p].name);
+    if (!best.sewn[p])
+      out.extras.push_back(pattern.pieces[p].name);
+    else if (loose[p])
+      out.apart.push_back(pattern.pieces[p].name);
   out.unplaced = place_on_body(best, out.pattern);
+  const auto extra = [&](const std::string& name) { return std::count(out.extras.begin(), out.extras.end(), name) > 0; };
+  out.unplaced.erase(std::remove_if(out.unplaced.begin(), out.unplaced.end(), extra), out.unplaced.end());
   return out;
 }
 

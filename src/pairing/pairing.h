@@ -23,7 +23,8 @@ struct Proposal {
   std::vector<ProposedSeam> seams;
   Pattern pattern;                    // the given one with these seams, hems marked and places on the body
   std::vector<std::string> unplaced;  // pieces of which nothing says where they sit
-  std::vector<std::string> apart;     // pieces that are sewn to nothing
+  std::vector<std::string> apart;     // pieces that should be sewn and are not sewn to the others
+  std::vector<std::string> extras;    // pieces that lie on others or bind their edges: pockets, facings, bindings
   double least_confidence = 0;        // of all seams; 1 when there is none to sew
 };
 

@@ -127,7 +127,8 @@ std::optional<BodyPart> part_of_body(const Attempt& attempt, const Pattern& patt
   at.angle += place->half;
   if (hand == Hand::right) at.angle = -at.angle;
   at.angle = within_turn(at.angle);
-  if (limb) at.part += hand == Hand::left ? ".L" : ".R";
+  if (limb && place->half == 0) at.part += hand == Hand::left ? ".L" : ".R";
+  if (limb && place->half != 0) at.part = "trunk";  // begins above the crotch: beside the other leg's
   return at;
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -37,6 +39,29 @@ TEST(SewVerb, DoesNotReplaceAFileUnasked) {
   const auto ended = run_program({"sew", pattern, "-o", (place / "skirt.seams.toml").string()});
   EXPECT_EQ(ended.status, 73);
   EXPECT_EQ(test::contents(place / "skirt.seams.toml"), "");
+}
+
+// A FreeSewing skirt with darts, a vent and a band, of which nothing says how it is sewn, from its SVG to a verified cut sheet.
+TEST(SewVerb, RunsASkirtThatComesWithoutSeams) {
+  const char* corpus = std::getenv("TOILE_CORPUS");
+  if (!corpus) GTEST_SKIP() << "no corpus";
+  const Workplace place;
+  const std::string svg = "penelope_cisFemaleAdult38_sa10.svg";
+  std::filesystem::copy(std::filesystem::path(corpus) / "patterns/freesewing" / svg, place / svg);
+  place.write("shorter.toml",
+              "[pattern]\nfile = \"" + svg +
+                  "\"\n[body]\nchart = \"women\"\nsize = \"38\"\n[fabric]\nname = \"cotton_poplin\"\n"
+                  "[drape]\nedge_length = \"30 mm\"\n[[edit]]\noperation = \"length\"\nloop = \"hem\"\nby = \"-8 cm\"\n"
+                  "[adjust]\nsteps = 1\n");
+  const auto ended = run_program({"run", (place / "shorter.toml").string(), "--out", (place / "out").string()});
+  ASSERT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.err.find("seams.proposed"), std::string::npos);
+  const auto summary = nlohmann::json::parse(test::contents(place / "out/summary.json"));
+  EXPECT_EQ(summary["ok"], true);
+  bool sheet = false;
+  for (const std::string& name : place.everything())
+    sheet = sheet || (name.rfind("out/", 0) == 0 && name.find(".dxf") != std::string::npos);
+  EXPECT_TRUE(sheet);
 }
 
 TEST(CheckVerb, PassesTheSampleAndPrintsBothUnits) {

@@ -90,7 +90,8 @@ TEST(Pairing, LeavesPocketsAlone) {
   pattern.pieces = {test::skirt_half("front"), test::skirt_half("back"),
                     test::polygon("pocket", {{0, 0}, {.15, 0}, {.15, .6}, {0, .6}})};
   const Proposal found = propose_seams(pattern, test::templates());
-  EXPECT_EQ(found.apart, std::vector<std::string>{"pocket"});
+  EXPECT_EQ(found.extras, std::vector<std::string>{"pocket"});
+  EXPECT_TRUE(found.apart.empty());
   EXPECT_EQ(found.seams.size(), 2u);
 }
 
