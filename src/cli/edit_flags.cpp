@@ -15,7 +15,7 @@ pattern for. To see what an edit does before it is worked out, or to take the ta
 
 Written to the output folder:
   source.obj, target.obj, body.obj   metres; vt is the rest shape of the source in metres, one group a panel
-  source.png, target.png, moved.png  the drape, the target, and how far it moved
+  source.png, target.png             the drape and the target
   report.html, summary.json          what every edit says of itself: what moved, ease before and after, warnings)";
 
 // The table of every operation, as src/edit declares it.

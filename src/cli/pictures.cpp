@@ -84,8 +84,6 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
 ShownPictures write_edit_pictures(const Job& job, const OutputFolder& out) {
   const GarmentMesh& garment = job.target.garment;
   const Eigen::Matrix3Xd& target = job.target.positions;
-  const Eigen::VectorXd moved =
-      surface_distance({target, garment.triangles}, {job.target.source, garment.triangles}).a_vertices;
   const Showing showing{job.scene.body.form, garment, target};
   ShownPictures pictures;
   pictures.views.push_back(written(
@@ -93,8 +91,6 @@ ShownPictures write_edit_pictures(const Job& job, const OutputFolder& out) {
       drape_picture({source_form(job), job.worn.garment, job.worn.drape.positions}, job.worn.drape.positions, "source")));
   pictures.views.push_back(
       written(out, "target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target")));
-  pictures.views.push_back(written(out, "moved.png", "The target, coloured by its distance to the source.",
-                                   distance_picture(showing, {target, moved, "target against source"}, scale_top({moved}))));
   return pictures;
 }
 

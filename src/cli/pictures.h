@@ -23,7 +23,7 @@ struct ShownPictures {
 // Of a run: source, target, re-drape with its distance to the target, flattening beside it on the same scale, outlines; maps of
 // the re-drape.
 ShownPictures write_run_pictures(const Job& job, const OutputFolder& out);
-// Of edits alone: source, target, and how far it moved.
+// Of edits alone: source and target.
 ShownPictures write_edit_pictures(const Job& job, const OutputFolder& out);
 // Of the source drape alone.
 ShownPictures write_drape_pictures(const Job& job, const OutputFolder& out);

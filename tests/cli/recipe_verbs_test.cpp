@@ -39,7 +39,7 @@ TEST_F(RecipeVerbs, EditWritesTheTargetAndWhatMoved) {
   std::set<std::string> codes;
   for (const auto& finding : said["findings"]) codes.insert(finding["code"].get<std::string>());
   EXPECT_TRUE(codes.count("edit.moved"));
-  for (const char* file : {"source.obj", "target.obj", "moved.png", "report.html"})
+  for (const char* file : {"source.obj", "target.obj", "target.png", "report.html"})
     EXPECT_TRUE(std::filesystem::exists(here_ / ("out/" + std::string(file)))) << file;
   EXPECT_FALSE(std::filesystem::exists(here_ / "out/shorter.dxf"));
 }
