@@ -29,7 +29,7 @@ Verb add_drape(CLI::App& app) {
   const auto folder = std::make_shared<FolderFlags>();
   DrapeOptions& options = *given;
   CLI::App* drape = app.add_subcommand("drape", "a pattern on a body, as it hangs");
-  drape->add_option("pattern", options.pattern, "AAMA DXF or GarmentCode JSON")->required()->type_name("PATTERN");
+  drape->add_option("pattern", options.pattern, "a pattern in any format Toile reads")->required()->type_name("PATTERN");
   drape->add_option("--seams", options.seams, "what is sewn to what (default: NAME.seams.toml beside the pattern)")
       ->type_name("FILE");
   drape->add_option("--units", options.units, "of the pattern's numbers, when its file does not say: mm, cm, m, in")

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double penetration_limit = 0.5e-3;  // m
 constexpr double slip_limit = 30e-3;          // m
+constexpr double floor_limit = 5e-3;          // m
 constexpr double shaken_tolerance = 3e-3;     // on |unbalanced force| / |weight|
 constexpr int most_shakes = 8;
 constexpr double still = 0.3e-3;  // m, mean movement of a round
@@ -127,6 +128,10 @@ Report drape_findings(const Drape& drape, double tolerance, const std::string& w
   if (drape.slipped > slip_limit)
     report.warn("drape.slipped", what, "the part that holds the garment dropped by " + in_mm(drape.slipped),
                 "The garment is too wide to stay where its pieces were placed");
+  const double lowest = drape.positions.cols() > 0 ? drape.positions.row(1).minCoeff() : 0;
+  if (lowest < -floor_limit)
+    report.warn("drape.below-floor", what, "the garment reaches " + in_mm(-lowest, 0) + " below the floor and hangs there freely",
+                "It is too long for this body: check the body's height and the pattern's size, or shorten it");
   return report;
 }
 
