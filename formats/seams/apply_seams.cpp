@@ -86,9 +86,9 @@ void read_allowances(const TomlNode& entry, Piece& piece, Sidecar& sidecar) {
 }
 
 void read_piece(const TomlNode& entry, Pattern& pattern, std::set<std::string>& seen, Sidecar& sidecar) {
-  refuse_unknown_keys(entry,
-                      {"name", "copies", "mirrored_copies", "edges", "start", "hems", "allowance", "allowances", "on", "place"},
-                      sidecar.file, "seam.unknown-key", sidecar.report);
+  refuse_unknown_keys(
+      entry, {"name", "copies", "mirrored_copies", "sewn", "edges", "start", "hems", "allowance", "allowances", "on", "place"},
+      sidecar.file, "seam.unknown-key", sidecar.report);
   const TomlNode* name_node = find(entry, "name");
   const auto name = name_node ? text_of(*name_node, sidecar) : std::nullopt;
   if (!name) {
@@ -110,10 +110,21 @@ void read_piece(const TomlNode& entry, Pattern& pattern, std::set<std::string>& 
   }
   Piece& piece = pattern.pieces[static_cast<std::size_t>(found - pattern.pieces.data())];
   read_copies(entry, piece, sidecar);
+  if (const TomlNode* sewn = find(entry, "sewn"))
+    if (const auto is = truth_of(*sewn, sidecar)) piece.sewn = *is;
   name_edges(entry, piece, sidecar);
   read_hems(entry, piece, sidecar);
   read_allowances(entry, piece, sidecar);
   sit_on_body(entry, piece, sidecar);
+}
+
+void refuse_seams_of_unsewn(const Pattern& pattern, Sidecar& sidecar) {
+  for (const Seam& seam : pattern.seams)
+    for (const EdgeSpan* span : {&seam.a, &seam.b})
+      if (const Piece* piece = find_piece(pattern, span->piece); piece && !piece->sewn)
+        sidecar.report.error("seam.not-sewn", sidecar.file,
+                             "piece '" + piece->name + "' is sewn in '" + seam.name + "' and is said not to be sewn",
+                             "Take 'sewn = false' from the piece, or take away its seams");
 }
 
 // A run of an edge that takes part in more than one seam is nearly always a slip.
@@ -150,6 +161,7 @@ Report apply_seams(Pattern& pattern, const std::string& text, const std::string&
   // Seams would only repeat what is wrong with the names.
   if (sidecar.report.ok())
     for (const TomlNode* entry : tables_of(*root.value, "seam", sidecar)) add_seams(*entry, changed, sidecar);
+  if (sidecar.report.ok()) refuse_seams_of_unsewn(changed, sidecar);
   if (sidecar.report.ok()) {
     look_for_double_seams(changed, pattern.seams.size(), sidecar);
     pattern = std::move(changed);

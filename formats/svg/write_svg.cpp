@@ -101,6 +101,7 @@ class PieceDrawing {
     xml_.with("data-quantity", std::to_string(piece.quantity)).with("data-mirrored", std::to_string(piece.mirrored_quantity));
     xml_.with("data-shift", in_digits(page_.shift.x() * mm_per_m) + " " + in_digits(page_.shift.y() * mm_per_m));
     if (turn_ != 0) xml_.with("data-turn", exact(turn_ / units::degree));
+    if (!piece.sewn) xml_.with("data-sewn", "false");
     if (!piece.material.empty()) xml_.with("data-material", piece.material);
     if (!piece.annotations.empty()) xml_.with("data-annotations", joined(piece.annotations));
     if (style_.cut.shown) line("cut", style_.cut, path_data(page_.all(places(cut_.cut_line)), true)).close();

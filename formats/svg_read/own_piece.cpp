@@ -78,6 +78,7 @@ std::optional<ReadPiece> own_piece(const Drawing& drawing, int group, double bot
   piece.name = names.datum("piece");
   piece.quantity = count_of(names, "quantity", 1);
   piece.mirrored_quantity = count_of(names, "mirrored", 0);
+  piece.sewn = names.datum("sewn") != "false";
   piece.material = names.datum("material");
   piece.annotations = lines_of(names.datum("annotations"));
   struct DrawnOwnNotch {

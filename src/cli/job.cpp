@@ -10,6 +10,7 @@
 #include "cli/exit_codes.h"
 #include "cli/proposed_seams.h"
 #include "cli/stuck.h"
+#include "cli/unsewn.h"
 #include "cut/cut.h"
 #include "edit/arguments.h"
 #include "formats/formats.h"
@@ -84,7 +85,8 @@ FindGarment garment_finder(const Job& job) {
     for (const Made& known : *made)
       if (known.file == file && known.body == body.form.name) return known.garment;
     const auto path = job.recipe_file.parent_path() / file;
-    const Pattern pattern = value_or_throw(read_pattern(path, {std::nullopt, seams_beside(path)}));
+    Pattern pattern = value_or_throw(read_pattern(path, {std::nullopt, seams_beside(path)}));
+    take_unsewn(pattern);
     if (pattern.seams.empty())
       throw BadInput({"pattern.no-seams", Severity::error, place, "nothing says what is sewn to what in '" + file + "'",
                       "Write a seams file beside it: " + path.stem().string() + ".seams.toml"});
@@ -121,6 +123,12 @@ std::string percent_of_height(double metres, const Job& job) {
   return text;
 }
 
+Pattern cut_pattern(const Job& job) {
+  Pattern pattern = job.redrawn.pattern;
+  pattern.pieces.insert(pattern.pieces.end(), job.unsewn.begin(), job.unsewn.end());
+  return pattern;
+}
+
 const Pattern& edited_pattern(const Job& job) { return edited_pattern(job.worn, job.target); }
 
 DrapeControl watched(Progress& progress) {
@@ -142,10 +150,12 @@ void load(Job& job, Progress& progress) {
   PatternFile read = take(read_pattern_file(files.pattern, {recipe.pattern.unit_in_metres, files.seams}), job);
   job.pattern = std::move(read.pattern);
   job.came_draped = std::move(read.drape);
+  add(job, set_unsewn_apart(job.pattern, recipe.pattern.file, job.unsewn));
   if (wants_seams(job.pattern)) {
     Report report;
     job.pattern = with_proposed_seams(job.pattern, recipe.pattern.file, report);
     add(job, report);
+    add(job, set_unsewn_apart(job.pattern, recipe.pattern.file, job.unsewn));
   }
   if (job.pattern.seams.empty())
     throw BadInput({"pattern.no-seams", Severity::error, recipe.pattern.file.string(), "nothing says what is sewn to what",
@@ -183,6 +193,7 @@ void make_target(Job& job, Progress& progress) {
   job.target = edit(job.worn, job.scene, recipe.edits);
   if (recipe.replica.height) {
     const Body& body = job.target.body ? *job.target.body : job.scene.body;
+    job.unsewn.clear();  // they have the size of the body
     job.target = replica(job.target, edited_pattern(job), body, *recipe.replica.height);
     AllowanceRules& allowances = job.recipe.cut.allowances;
     for (double* allowance : {&allowances.allowance, &allowances.hem})
@@ -225,7 +236,7 @@ void adjust_and_redraw(Job& job, Progress& progress) {
   job.redrawn = redraw(edited_pattern(job), job.target.garment, job.adjustment.rest);
   add(job, job.redrawn.report);
   try {
-    job.sheet = lay_out(job.redrawn.pattern, recipe.cut);
+    job.sheet = lay_out(cut_pattern(job), recipe.cut);
   } catch (const BadInput& bad) {  // the pattern as it was read could be laid out
     Finding finding = bad.finding();
     finding.text = "the shape that the edit asks for cannot be cut: " + finding.text;

@@ -26,7 +26,8 @@ struct Job {
   std::filesystem::path recipe_file;
   Recipe recipe;
   std::vector<InputHash> inputs;
-  Pattern pattern;  // as read
+  Pattern pattern;                         // as read, of pieces that are sewn
+  std::vector<Piece> unsewn;               // the others: on the cut sheet as they were read
   std::vector<DrapedGarment> came_draped;  // with the pattern: one, or none
   Scene scene;
   std::optional<Fabric> new_fabric;  // that the new pattern is cut from, when it is another
@@ -60,6 +61,9 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
 // Keeps what a stage had to say.
 void add(Job& job, const Report& report);
 std::string percent_of_height(double metres, const Job& job);  // "0.29 %"
+
+// All that is cut: the redrawn pieces, and those that are not sewn as they were.
+Pattern cut_pattern(const Job& job);
 
 // The pattern that is adjusted: the one that was read, or what an edit made of it.
 const Pattern& edited_pattern(const Job& job);

@@ -43,7 +43,7 @@ std::string in_words(const Pattern& pattern, const ProposedSeam& seam) {
 
 bool wants_seams(const Pattern& pattern) {
   int panels = 0;
-  for (const Piece& piece : pattern.pieces) panels += copies(piece);
+  for (const Piece& piece : pattern.pieces) panels += piece.sewn ? copies(piece) : 0;
   return pattern.seams.empty() && panels > 1;
 }
 
@@ -63,16 +63,6 @@ Pattern with_proposed_seams(const Pattern& pattern, const std::filesystem::path&
                     "Let `toile sew` write its proposal, correct it, and keep it as " + file.stem().string() +
                         ".seams.toml beside the pattern",
                     Fault::ambiguous});
-  Pattern shell = proposal.pattern;
-  if (!proposal.extras.empty()) {
-    const auto extra = [&](const Piece& piece) {
-      return std::count(proposal.extras.begin(), proposal.extras.end(), piece.name) > 0;
-    };
-    shell.pieces.erase(std::remove_if(shell.pieces.begin(), shell.pieces.end(), extra), shell.pieces.end());
-    report.warn("pieces.not-sewn", file.filename().string(),
-                "left out, since they lie on other pieces or bind their edges: " + listed(proposal.extras),
-                "They are not draped and not in the new pattern: cut them as before, to the new lengths");
-  }
   for (const ProposedSeam& seam : proposal.seams)
     report.note("seams.proposed", file.filename().string(), in_words(proposal.pattern, seam));
   report.warn("seams.proposed", file.filename().string(),
@@ -80,7 +70,7 @@ Pattern with_proposed_seams(const Pattern& pattern, const std::filesystem::path&
                   " with " + std::to_string(proposal.seams.size()) + " seams that the program found, the least sure " +
                   percent(proposal.least_confidence),
               "Look at the drape; `toile sew` writes these seams to a file you can correct");
-  return shell;
+  return proposal.pattern;
 }
 
 }  // namespace toile

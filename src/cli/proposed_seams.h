@@ -17,7 +17,7 @@ std::string in_words(const Pattern& pattern, const ProposedSeam& seam);
 bool wants_seams(const Pattern& pattern);
 
 // Gives a pattern without seams those that are proposed, and says so: note "seams.proposed" for each seam. Pieces
-// that lie on others are left out: warning "pieces.not-sewn". Throws
+// that lie on others are marked as not sewn. Throws
 // BadInput("seams.unsure") listing what is unsure when confidence is too low, `file` being the pattern's.
 Pattern with_proposed_seams(const Pattern& pattern, const std::filesystem::path& file, Report& report);
 

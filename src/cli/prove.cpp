@@ -59,8 +59,10 @@ Pattern in_order(const Pattern& written, const Pattern& read) {
 void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams, Progress& progress) {
   progress.begin("verify");
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
-  job.reread = in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read);
-  job.verified = verify(job.reread, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, watched(progress));
+  job.reread = in_order(as_named_in_dxf(cut_pattern(job), job.sheet), read);
+  Pattern worn = job.reread;
+  std::erase_if(worn.pieces, [](const Piece& piece) { return !piece.sewn; });
+  job.verified = verify(worn, job.target, job.adjustment.rest, job.scene, job.recipe.drape.tolerance, watched(progress));
   job.girths = girth_table(with_rest(job.target.garment, job.verified.rest), job.verified.drape.positions, job.scene.body.form);
   job.tailoring = tailoring_difference(job.target.garment, job.target.positions, job.verified.drape.positions);
   add(job, job.verified.report);
@@ -70,7 +72,7 @@ void prove(Job& job, const std::filesystem::path& dxf, const std::filesystem::pa
 
 void check_still_proved(const Job& job, const std::filesystem::path& dxf, const std::filesystem::path& seams) {
   const Pattern read = value_or_throw(read_pattern(dxf, {std::nullopt, seams}));
-  if (in_order(as_named_in_dxf(job.redrawn.pattern, job.sheet), read) != job.reread)
+  if (in_order(as_named_in_dxf(cut_pattern(job), job.sheet), read) != job.reread)
     throw BadInput({"export.changed", Severity::error, dxf.filename().string(), "is not the pattern that was draped",
                     "Do not cut from these files; please report this as a fault of the program", Fault::checks_failed});
 }

@@ -17,7 +17,7 @@ namespace {
 
 void write_patterns(const Job& job, const OutputFolder& out, const std::string& stem) {
   write_dxf_aama(out.path(stem + ".dxf"), job.sheet);
-  write_seams(out.path(stem + ".seams.toml"), as_named_in_dxf(job.redrawn.pattern, job.sheet));
+  write_seams(out.path(stem + ".seams.toml"), as_named_in_dxf(cut_pattern(job), job.sheet));
 }
 
 void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {

@@ -79,25 +79,26 @@ struct Placement {
 // Where a copy sits when there is no 3D placement: on a part of the body, at an angle round it (0 = centre front, +90 degrees
 // = wearer's left), its grain upright, its topmost point at `height` (metres above the floor) or at a landmark of the body.
 struct BodyPart {
-  std::string part = "trunk";  // trunk, arm.L, arm.R, leg.L, leg.R
-  double angle = 0;            // radians
+  std::string part = "trunk";   // trunk, arm.L, arm.R, leg.L, leg.R
+  double angle = 0;             // radians
   std::string level = "waist";  // landmark whose height the top of the piece takes
-  double drop = 0;             // m, how far below that level
-  bool grain_round = false;    // the grain runs round the part (a waistband, a cuff) instead of along it
+  double drop = 0;              // m, how far below that level
+  bool grain_round = false;     // the grain runs round the part (a waistband, a cuff) instead of along it
   bool operator==(const BodyPart&) const = default;
 };
 
 struct Piece {
-  std::string name;                      // unique in the pattern
-  int quantity = 1;                      // copies cut as drawn
-  int mirrored_quantity = 0;             // further copies cut mirrored (about the y axis)
+  std::string name;           // unique in the pattern
+  int quantity = 1;           // copies cut as drawn
+  int mirrored_quantity = 0;  // further copies cut mirrored (about the y axis)
   std::string material;
-  std::vector<Edge> outline;             // one closed loop, counter-clockwise seen from the fabric's right side
+  std::vector<Edge> outline;  // one closed loop, counter-clockwise seen from the fabric's right side
   std::vector<Notch> notches;
   std::vector<InternalLine> internal_lines;
   std::vector<DrillHole> drill_holes;
   std::optional<Grainline> grainline;
   std::vector<std::string> annotations;
+  bool sewn = true;  // false: lies on other pieces or binds their edges (pocket, facing, interlining); cut, but not draped
   std::vector<std::optional<Placement>> placement;  // by copy; empty: none known
   std::vector<std::optional<BodyPart>> body_part;   // by copy; empty: none known
   bool operator==(const Piece&) const = default;
@@ -122,14 +123,14 @@ struct Pattern {
   bool operator==(const Pattern&) const = default;
 };
 
-int copies(const Piece&);                          // quantity + mirrored_quantity
-bool is_mirrored(const Piece&, int copy);          // copy counts from 1; the first `quantity` are as drawn
+int copies(const Piece&);                  // quantity + mirrored_quantity
+bool is_mirrored(const Piece&, int copy);  // copy counts from 1; the first `quantity` are as drawn
 const Piece* find_piece(const Pattern&, const std::string& name);
 const Edge* find_edge(const Piece&, const std::string& id);
 std::vector<Eigen::Vector2d> positions(const Edge&);
 double length(const Edge&);
-double span_length(const Pattern&, const EdgeSpan&);  // throws std::invalid_argument when the span names nothing
-double signed_area(const Piece&);                  // > 0 when counter-clockwise
+double span_length(const Pattern&, const EdgeSpan&);     // throws std::invalid_argument when the span names nothing
+double signed_area(const Piece&);                        // > 0 when counter-clockwise
 bool is_straight(const Edge&, double tolerance = 1e-5);  // m, every point within `tolerance` of the chord
 
 }  // namespace toile

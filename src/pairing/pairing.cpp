@@ -110,7 +110,7 @@ Proposal propose_seams(const Pattern& pattern, const std::vector<GarmentTemplate
   for (std::size_t p = 0; p < part.size(); ++p)
     if (part[p] != largest->first) loose[u(best.all.panels[p].piece)] = true;
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-    if (!best.sewn[p])
+    if (out.pattern.pieces[p].sewn = best.sewn[p]; !best.sewn[p])
       out.extras.push_back(pattern.pieces[p].name);
     else if (loose[p])
       out.apart.push_back(pattern.pieces[p].name);

@@ -29,6 +29,20 @@ TEST(Sidecar, SetsCopiesHemsAndAllowances) {
   EXPECT_FALSE(loop.outline[0].hem);
 }
 
+TEST(Sidecar, SaysWhichPiecesAreNotSewn) {
+  const auto with_pocket = [] {
+    Pattern p = skirt();
+    p.pieces.push_back(polygon("POCKET", {{0, 0}, {.1, 0}, {.1, .1}}));
+    return p;
+  };
+  const std::string not_sewn = "[[piece]]\nname = \"pocket\"\nsewn = false\n";
+  const auto pattern = applied(pieces + not_sewn, with_pocket());
+  EXPECT_FALSE(pattern.pieces[2].sewn);
+  EXPECT_TRUE(pattern.pieces[0].sewn);
+  EXPECT_EQ(first_finding(not_sewn + "[[seam]]\na = \"POCKET.e0\"\nb = \"BAND.e0[0..10 cm]\"\n", with_pocket()).code,
+            "seam.not-sewn");
+}
+
 TEST(Sidecar, SpreadsCopiesRoundTheBody) {
   const auto pattern = applied(one_piece("on = { level = \"waist\", drop = \"4 cm\", around = true }\n"));
   const auto& on = pattern.pieces[0].body_part;

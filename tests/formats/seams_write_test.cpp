@@ -32,6 +32,7 @@ Pattern stripped(Pattern pattern, const Eigen::Vector2d& shift, std::size_t begi
     piece.placement.clear();
     piece.quantity = 1;
     piece.mirrored_quantity = 0;
+    piece.sewn = true;
   }
   pattern.seams.clear();
   return pattern;
@@ -45,6 +46,7 @@ void expect_same_sewing(const Pattern& got, const Pattern& wanted) {
     SCOPED_TRACE(b.name);
     EXPECT_EQ(a.quantity, b.quantity);
     EXPECT_EQ(a.mirrored_quantity, b.mirrored_quantity);
+    EXPECT_EQ(a.sewn, b.sewn);
     EXPECT_EQ(a.notches, b.notches);
     ASSERT_EQ(a.outline.size(), b.outline.size());
     for (const Edge& edge : b.outline) {
@@ -84,6 +86,8 @@ TEST(WriteSeams, ReadsBackAsTheSame) {
               [] {
                 Pattern p = skirt();
                 p.pieces.push_back(polygon("FRONT 1.5", {{0, 0}, {.2, 0}, {.2, .5}, {.05, .45}}, 1, 1));
+                p.pieces.push_back(polygon("POCKET", {{0, 0}, {.1, 0}, {.1, .1}}));
+                p.pieces.back().sewn = false;
                 return p;
               }());
   pattern.pieces[0].placement = {

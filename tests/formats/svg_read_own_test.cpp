@@ -53,6 +53,7 @@ Pattern pattern() {
   front.internal_lines = {{{{-.1, .2}, {-.05, .2}, {-.05, .25}}, false}, {{{0, .2}, {.02, .2}, {.02, .22}, {0, .2}}, true}};
   Piece band;
   band.name = "band";
+  band.sewn = false;
   const std::vector<Vector2d> frame{{0, 0}, {.04, 0}, {.04, .6}, {0, .6}};
   for (std::size_t i = 0; i < 4; ++i)
     band.outline.push_back({"e" + std::to_string(i), {{frame[i], true, {}}, {frame[(i + 1) % 4], true, {}}}, {}, false});
@@ -78,6 +79,7 @@ TEST(SvgOwn, WhatIsWrittenIsReadBack) {
     EXPECT_EQ(read->quantity, piece.quantity);
     EXPECT_EQ(read->mirrored_quantity, piece.mirrored_quantity);
     EXPECT_EQ(read->material, piece.material);
+    EXPECT_EQ(read->sewn, piece.sewn);
     EXPECT_EQ(read->annotations, piece.annotations);
     ASSERT_EQ(read->outline.size(), piece.outline.size());
     for (std::size_t i = 0; i < piece.outline.size(); ++i) {
