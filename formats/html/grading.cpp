@@ -1,5 +1,8 @@
 #include "formats/html/grading.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "formats/html/base64.h"
 #include "formats/html/figures.h"
 #include "formats/html/page.h"
@@ -35,16 +38,33 @@ Slot sizes(const GradingReport& report) {
     row.set("class", from.ok ? "good" : "error");
     row.set("words", from.ok ? "as it should be" : from.trouble);
     row.set("png", base64(from.png));
-    Slot girths{Slot::type::list};
-    for (const SummaryGirth& girth : from.girths) {
-      Slot line;
-      line.set("name", girth.name);
-      line.set("body_cm", number(girth.body * cm_per_m, 1));
-      line.set("garment_cm", girth.covered ? number(girth.garment * cm_per_m, 1) : "");
-      line.set("ease_cm", girth.covered ? number(girth.ease * cm_per_m, 1) : "");
-      girths.push_back(line);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string girth_cell(const SummaryGirth& girth) {
+  const auto cm = [](double metres) { return number(metres * cm_per_m, 1); };
+  return cm(girth.garment) + " = " + cm(girth.body) + (girth.ease < 0 ? " - " : " + ") + cm(std::abs(girth.ease));
+}
+
+// A row for each girth that the garment has in some size.
+Slot girths(const GradingReport& report) {
+  std::vector<std::string> names;
+  for (const GradingSize& size : report.sizes)
+    for (const SummaryGirth& girth : size.girths)
+      if (girth.covered && std::find(names.begin(), names.end(), girth.name) == names.end()) names.push_back(girth.name);
+  Slot rows{Slot::type::list};
+  for (const std::string& name : names) {
+    std::vector<std::string> cells;
+    for (const GradingSize& size : report.sizes) {
+      const auto found = std::find_if(size.girths.begin(), size.girths.end(),
+                                      [&](const SummaryGirth& girth) { return girth.covered && girth.name == name; });
+      cells.push_back(found == size.girths.end() ? "" : girth_cell(*found));
     }
-    row.set("girths", girths);
+    Slot row;
+    row.set("name", name);
+    row.set("cells", texts(cells));
     rows.push_back(row);
   }
   return rows;
@@ -83,7 +103,9 @@ void write_grading(const std::filesystem::path& file, const GradingReport& repor
   html::write_page(file, page, [&](const std::string& form) {
     Slot slots;
     slots.set("title", report.title);
+    slots.set("base", report.base);
     slots.set("sizes", sizes(report));
+    slots.set("girths", girths(report));
     slots.set("pieces", pieces(report));
     slots.set("points", points(report));
     slots.set("files", texts(report.files));

@@ -26,11 +26,12 @@ struct GradingPiece {
 
 struct GradingPoint {
   std::string piece, point;
-  std::vector<double> dx, dy;  // m, by size, from the first
+  std::vector<double> dx, dy;  // m, by size, from the base
 };
 
 struct GradingReport {
   std::string title;
+  std::string base;  // the size that the others are graded from
   std::vector<GradingSize> sizes;
   std::vector<GradingPiece> pieces;
   std::vector<GradingPoint> points;

@@ -9,6 +9,8 @@ namespace {
 
 using kainjow::mustache::data;
 
+const std::string part_begins = "{{> ";
+
 data as_data(const Slot& slot) {
   switch (slot.kind()) {
     case Slot::type::text:
@@ -49,9 +51,23 @@ std::string rendered(const Slot& slots, const std::string& page, const std::stri
   return html;
 }
 
+std::string read_page(const std::filesystem::path& page) {
+  std::string form = value_or_throw(read_whole_file(page));
+  for (std::size_t at = 0; (at = form.find(part_begins, at)) != std::string::npos;) {
+    const std::size_t name = at + part_begins.size(), end = form.find("}}", name);
+    if (end == std::string::npos)
+      throw BadInput({"report.bad-template", Severity::error, page.string(), "a part is named that does not end",
+                      "Write {{> NAME}}"});
+    const std::string part = value_or_throw(read_whole_file(page.parent_path() / form.substr(name, end - name)));
+    form.replace(at, end + 2 - at, part);
+    at += part.size();
+  }
+  return form;
+}
+
 void write_page(const std::filesystem::path& file, const std::filesystem::path& page,
                 const std::function<std::string(const std::string&)>& fill) {
-  const std::string form = value_or_throw(read_whole_file(page));
+  const std::string form = read_page(page);
   try {
     write_whole_file(file, fill(form));
   } catch (const BadInput& bad) {

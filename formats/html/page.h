@@ -40,6 +40,9 @@ class Slot {
 // `page` with its slots filled. Throws BadInput "report.bad-template"; `pattern` is the file to compare it with.
 std::string rendered(const Slot& slots, const std::string& page, const std::string& pattern);
 
+// The template in the file `page`, {{> NAME}} in it replaced by the file NAME beside it. Throws BadInput.
+std::string read_page(const std::filesystem::path& page);
+
 // Reads the template `page`, and writes what `fill` makes of its text to `file`. Throws BadInput.
 void write_page(const std::filesystem::path& file, const std::filesystem::path& page,
                 const std::function<std::string(const std::string&)>& fill);

@@ -85,9 +85,18 @@ Done make_size(const Job& base, const std::string& size, const GradeOptions& opt
   return {size, job.redrawn.pattern, row_of(job, size, png), exit_code(job)};
 }
 
-GradingReport report_on(const std::string& title, const std::vector<Done>& sizes) {
+// The recipe's size, or the first where it is not asked for.
+std::size_t base_of(const Job& base, const std::vector<Done>& sizes) {
+  const auto found = std::find_if(sizes.begin(), sizes.end(), [&](const Done& d) { return d.size == base.recipe.body.size; });
+  return found == sizes.end() ? 0 : static_cast<std::size_t>(found - sizes.begin());
+}
+
+GradingReport report_on(const Job& recipe, const std::vector<Done>& sizes) {
   GradingReport report;
-  report.title = title;
+  const std::size_t base = base_of(recipe, sizes);
+  report.base = sizes[base].size;
+  report.title = recipe.recipe.name + ", sizes";
+  for (const Done& done : sizes) report.title += (done.size == sizes.front().size ? " " : ", ") + done.size;
   std::vector<Pattern> patterns;
   for (const Done& done : sizes) {
     report.sizes.push_back(done.row);
@@ -104,7 +113,7 @@ GradingReport report_on(const std::string& title, const std::vector<Done>& sizes
     }
     report.pieces.push_back(std::move(piece));
   }
-  for (const PointGrade& grade : turn_point_grades(patterns)) {
+  for (const PointGrade& grade : turn_point_grades(patterns, base)) {
     GradingPoint point{grade.piece, grade.edge, {}, {}};
     for (const Eigen::Vector2d& move : grade.moves) {
       point.dx.push_back(move.x());
@@ -115,7 +124,7 @@ GradingReport report_on(const std::string& title, const std::vector<Done>& sizes
   return report;
 }
 
-// All sizes in one file, and the recipe's size (or the first, where it is not asked for) with rules; both read back.
+// All sizes in one file, and the base with rules; both read back.
 void write_graded(const Job& base, const std::vector<Done>& sizes, const OutputFolder& out) {
   if (sizes.size() < 2) return;
   PatternFile graded;
@@ -125,8 +134,7 @@ void write_graded(const Job& base, const std::vector<Done>& sizes, const OutputF
     graded.graded.back().sample_size = done.size;
   }
   graded.graded = with_same_points(std::move(graded.graded));
-  const auto sample = std::find(graded.sizes.begin(), graded.sizes.end(), base.recipe.body.size);
-  graded.pattern = graded.graded[sample == graded.sizes.end() ? 0 : static_cast<std::size_t>(sample - graded.sizes.begin())];
+  graded.pattern = graded.graded[base_of(base, sizes)];
   const std::string stem = file_stem(base.recipe_file);
   const GradedFiles files = graded_files(graded, stem, base.recipe.cut);
   write_whole_file(out.path(stem + ".nest.dxf"), files.nest);
@@ -166,7 +174,7 @@ int grade_recipe(const GradeOptions& options) {
     if (code == exit_ok || done.back().code == exit_not_converged) code = done.back().code;
   }
   write_graded(base, done, out);
-  GradingReport report = report_on(base.recipe.name + ", sizes " + options.sizes, done);
+  GradingReport report = report_on(base, done);
   for (const std::string& file : out.names()) report.files.push_back(file);
   write_grading(out.path("grading.html"), report, template_file("reports", "grading.html"));
   out.keep();

@@ -56,7 +56,7 @@ std::vector<Pattern> with_same_points(std::vector<Pattern> sizes) {
   return sizes;
 }
 
-std::vector<PointGrade> turn_point_grades(const std::vector<Pattern>& sizes) {
+std::vector<PointGrade> turn_point_grades(const std::vector<Pattern>& sizes, std::size_t base) {
   std::vector<PointGrade> grades;
   if (sizes.empty()) return grades;
   check_alike(sizes);
@@ -65,7 +65,7 @@ std::vector<PointGrade> turn_point_grades(const std::vector<Pattern>& sizes) {
       PointGrade grade{sizes.front().pieces[p].name, sizes.front().pieces[p].outline[e].id, {}};
       for (const Pattern& size : sizes)
         grade.moves.push_back(size.pieces[p].outline[e].points.front().at -
-                              sizes.front().pieces[p].outline[e].points.front().at);
+                              sizes.at(base).pieces[p].outline[e].points.front().at);
       grades.push_back(std::move(grade));
     }
   return grades;

@@ -13,11 +13,11 @@ namespace toile {
 // its chords were off. Throws std::invalid_argument when pieces or edges differ.
 std::vector<Pattern> with_same_points(std::vector<Pattern> sizes);
 
-// What a turn point does from size to size: its place in each less that in the first, m.
+// What a turn point does from size to size: its place in each less that in the base, m.
 struct PointGrade {
   std::string piece, edge;             // the edge that starts there
-  std::vector<Eigen::Vector2d> moves;  // by size; the first is zero
+  std::vector<Eigen::Vector2d> moves;  // by size; the base's is zero
 };
-std::vector<PointGrade> turn_point_grades(const std::vector<Pattern>& sizes);
+std::vector<PointGrade> turn_point_grades(const std::vector<Pattern>& sizes, std::size_t base = 0);
 
 }  // namespace toile

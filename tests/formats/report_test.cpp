@@ -8,6 +8,7 @@
 #include "formats/folder.h"
 #include "formats/formats.h"
 #include "formats/html/base64.h"
+#include "formats/html/page.h"
 #include "formats/xml_tree.h"
 
 namespace toile {
@@ -39,7 +40,7 @@ RunReport full() {
   return report;
 }
 
-std::string page() { return value_or_throw(read_whole_file(page_file)); }
+std::string page() { return html::read_page(page_file); }
 
 bool has(const std::string& html, const std::string& words) { return html.find(words) != std::string::npos; }
 

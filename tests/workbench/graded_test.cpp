@@ -52,6 +52,9 @@ TEST(Graded, OtherPiecesAreRefused) {
   Pattern other = quarter(.3, 9);
   other.pieces[0].outline[1].id = "curve";
   EXPECT_THROW(with_same_points({quarter(.3, 9), other}), std::invalid_argument);
+  EXPECT_NEAR(turn_point_grades({quarter(.3, 9), quarter(.32, 9)}, 1)[0].moves[1].norm(), 0, 1e-15);
+  EXPECT_NEAR(turn_point_grades({quarter(.3, 9), quarter(.32, 9)}, 1)[0].moves[0].norm(),
+              turn_point_grades({quarter(.3, 9), quarter(.32, 9)})[0].moves[1].norm(), 1e-15);
   EXPECT_THROW(turn_point_grades({quarter(.3, 9), Pattern{}}), std::invalid_argument);
 }
 
