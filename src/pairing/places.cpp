@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "garment/units.h"
+#include "geometry/polyline.h"
 
 namespace toile {
 namespace {
@@ -132,6 +133,53 @@ std::optional<BodyPart> part_of_body(const Attempt& attempt, const Pattern& patt
   return at;
 }
 
+std::optional<BodyPart>& place_of(const Attempt& attempt, Pattern& pattern, int panel) {
+  const Panel& cut = attempt.all.panels[u(panel)];
+  return pattern.pieces[u(cut.piece)].body_part[u(cut.copy - 1)];
+}
+
+// The angle round the body at which the middle of an edge lies, when the panels of its role together go round it once.
+std::optional<double> angle_of(const Attempt& attempt, Pattern& pattern, int index) {
+  const PanelEdge& run = attempt.all.edges[u(index)];
+  const Panel& cut = attempt.all.panels[u(run.panel)];
+  const auto& at = place_of(attempt, pattern, run.panel);
+  if (!at || at->part != "trunk") return std::nullopt;
+  double round = 0;
+  for (int p = 0; p < static_cast<int>(attempt.all.panels.size()); ++p)
+    if (name_of(attempt, p).role == name_of(attempt, run.panel).role) round += attempt.all.panels[u(p)].width;
+  const Piece& piece = pattern.pieces[u(cut.piece)];
+  double left = INFINITY, right = -INFINITY;
+  for (const Edge& edge : piece.outline)
+    for (const OutlinePoint& point : edge.points) {
+      const double x = (cut.turn * point.at).x();
+      left = std::min(left, x), right = std::max(right, x);
+    }
+  const Eigen::Vector2d middle = point_at<2>(positions(piece.outline[u(run.edge)]), (run.begin + run.end) / 2);
+  return at->angle + 2 * std::numbers::pi * ((cut.turn * middle).x() - (left + right) / 2) / round;
+}
+
+// Puts a ring's panels side by side, turned as a whole so that they hang below what they are sewn to; without that the first
+// begins at the wearer's right side.
+void place_ring(const Attempt& attempt, const std::vector<int>& ring, Pattern& pattern) {
+  if (ring.size() < 2) return;
+  const double step = 2 * std::numbers::pi / static_cast<double>(ring.size());
+  const auto angle = [&](std::size_t k) { return -std::numbers::pi / 2 + (static_cast<double>(k) + .5) * step; };
+  Eigen::Vector2d turn = Eigen::Vector2d::Zero();
+  for (int a = 0; a < static_cast<int>(attempt.found.mates.size()); ++a) {
+    const int b = attempt.found.mates[u(a)];
+    const auto member = std::find(ring.begin(), ring.end(), attempt.all.edges[u(a)].panel);
+    if (b < 0 || member == ring.end() || name_of(attempt, attempt.all.edges[u(b)].panel).role == name_of(attempt, *member).role)
+      continue;
+    if (const auto meets = angle_of(attempt, pattern, b)) {
+      const double by = *meets - angle(static_cast<std::size_t>(member - ring.begin()));
+      turn += attempt.all.edges[u(a)].length * Eigen::Vector2d(std::cos(by), std::sin(by));
+    }
+  }
+  const double by = turn.norm() > 1e-6 ? std::atan2(turn.y(), turn.x()) : 0;
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    if (auto& at = place_of(attempt, pattern, ring[k]); at && at->part == "trunk") at->angle = within_turn(angle(k) + by);
+}
+
 }  // namespace
 
 std::vector<std::string> place_on_body(const Attempt& attempt, Pattern& pattern) {
@@ -142,16 +190,7 @@ std::vector<std::string> place_on_body(const Attempt& attempt, Pattern& pattern)
     piece.body_part.resize(u(copies(piece)));
     piece.body_part[u(panel.copy - 1)] = part_of_body(attempt, pattern, p, hands[u(p)]);
   }
-  for (int r = 0; r < static_cast<int>(attempt.garment->roles.size()); ++r) {
-    const std::vector<int> ring = ring_of(attempt, r);
-    if (ring.size() < 2) continue;
-    const double step = 2 * std::numbers::pi / static_cast<double>(ring.size());
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Panel& panel = attempt.all.panels[u(ring[k])];
-      auto& at = pattern.pieces[u(panel.piece)].body_part[u(panel.copy - 1)];
-      if (at && at->part == "trunk") at->angle = within_turn(-std::numbers::pi / 2 + (static_cast<double>(k) + .5) * step);
-    }
-  }
+  for (int r = 0; r < static_cast<int>(attempt.garment->roles.size()); ++r) place_ring(attempt, ring_of(attempt, r), pattern);
   std::vector<std::string> unplaced;
   for (const Piece& piece : pattern.pieces) {
     const auto known =

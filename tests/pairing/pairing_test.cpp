@@ -68,6 +68,26 @@ TEST(Pairing, SharesABandOutAmongThePiecesBelowIt) {
   EXPECT_TRUE(found.apart.empty());
 }
 
+// The band's middle is in front and its ends meet behind; its left half, seen from outside, is on the wearer's right.
+TEST(Pairing, HangsGoresBelowTheRunOfTheBandThatTheyAreSewnTo) {
+  Pattern pattern;
+  pattern.pieces = {test::polygon("gore", {{-.1, 0}, {.1, 0}, {.06, .6}, {-.06, .6}}),
+                    test::polygon("waistband", {{0, 0}, {.72, 0}, {.72, .04}, {0, .04}})};
+  pattern.pieces[0].quantity = 6;
+  const Proposal found = propose_seams(pattern, test::templates());
+  int held = 0;
+  for (const ProposedSeam& seam : found.seams)
+    for (const auto& [band, gore] : {std::pair{seam.seam.a, seam.seam.b}, std::pair{seam.seam.b, seam.seam.a}}) {
+      if (band.piece != "waistband" || band.edge != "e0" || gore.piece != "gore") continue;
+      const auto& at = find_piece(found.pattern, "gore")->body_part[static_cast<std::size_t>(gore.copy - 1)];
+      ASSERT_TRUE(at);
+      const double turn = 2 * M_PI, wanted = turn * ((band.begin + band.end) / 2 - .5);
+      EXPECT_NEAR(std::remainder(at->angle - wanted, turn), 0, 1e-6) << "gore " << gore.copy;
+      ++held;
+    }
+  EXPECT_EQ(held, 6);
+}
+
 TEST(Pairing, IsLessSureWithoutNames) {
   Pattern pattern, blank;
   pattern.pieces = {test::skirt_half("front"), test::skirt_half("back")};
