@@ -55,6 +55,7 @@ std::optional<Sitting> read_sitting(const TomlNode& table, Sidecar& sidecar) {
       good = false;
   };
   take("part", text_of, sitting.on.part);
+  if (sitting.on.part.starts_with("arm")) sitting.on.level = "shoulder";
   take("level", text_of, sitting.on.level);
   take("drop", length_of, sitting.on.drop);
   take("angle", angle_of, sitting.on.angle);

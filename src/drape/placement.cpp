@@ -38,6 +38,18 @@ PartFrame trunk_frame(const Mannequin& form, double top) {
   return {{0, top, z}, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()};
 }
 
+// Where on a limb's axis, which begins at `root` and points away along -up, a level lies: m, towards the root.
+double along_limb(const Mannequin& form, const BodyPart& part, const Eigen::Vector3d& root, const Eigen::Vector3d& up,
+                  const std::string& place) {
+  if (part.level == "shoulder") return 0;
+  const double rise = level_height(form, part.level) - root.y();
+  if (std::abs(up.y()) < 0.3)  // held out: all of it is at about one height
+    throw BadInput({"drape.level-beside-limb", Severity::error, place,
+                    "'" + part.part + "' is held out level, so '" + part.level + "' is no place on it",
+                    "Give level = \"shoulder\" and how far along the arm as drop"});
+  return rise / up.y();
+}
+
 // From the first bone's start to the last one's end ("upperarm.L" .. "lowerarm.L").
 PartFrame limb_frame(const Mannequin& form, const BodyPart& part, const std::string& place) {
   const bool arm = part.part.rfind("arm", 0) == 0;
@@ -57,7 +69,7 @@ PartFrame limb_frame(const Mannequin& form, const BodyPart& part, const std::str
                     "Use trunk, arm.L, arm.R, leg.L or leg.R, and a body whose skeleton has those bones"});
   const Eigen::Vector3d up = (upper->from - lower->to).normalized();
   const Eigen::Vector3d front = (Eigen::Vector3d::UnitZ() - up.z() * up).normalized();
-  return {upper->from - part.drop * up, up, front, up.cross(front)};
+  return {upper->from + (along_limb(form, part, upper->from, up, place) - part.drop) * up, up, front, up.cross(front)};
 }
 
 // Radius round the frame's axis by depth below its origin, in rows of `row_height`.

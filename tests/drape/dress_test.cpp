@@ -64,5 +64,51 @@ TEST(Dress, APieceWithoutAPlaceIsRefusedByName) {
   }
 }
 
+// Two panels of a tube for a limb, 20 cm long.
+Eigen::Matrix3Xd placed_tube(BodyPart on, const Body& body) {
+  Pattern pattern;
+  pattern.pieces = {rectangle("front", .25, .2), rectangle("back", .25, .2)};
+  pattern.pieces[0].body_part = {on};
+  on.angle += std::numbers::pi;
+  pattern.pieces[1].body_part = {on};
+  const auto placed = place_panels(pattern, sew(pattern, triangulate(pattern, {.edge_length = .05})), body);
+  Eigen::Matrix3Xd all(3, placed[0].cols() + placed[1].cols());
+  all << placed[0], placed[1];
+  return all;
+}
+
+TEST(Placement, OnALimbBeginsAtTheHeightOfItsLevel) {
+  const Body body = make_body(figure());
+  const Eigen::Matrix3Xd leg = placed_tube({.part = "leg.L", .level = "thigh.L:1", .drop = .05}, body);  // the knee, .45 m up
+  EXPECT_NEAR(leg.row(1).maxCoeff(), .40, 1e-9);
+  EXPECT_NEAR(leg.row(0).mean(), leg_x, 5e-3);
+  const Eigen::Matrix3Xd high = placed_tube({.part = "leg.R", .level = "hip", .drop = .10}, body);
+  EXPECT_NEAR(high.row(1).maxCoeff(), .75, 1e-9);
+}
+
+TEST(Placement, OnAnArmBeginsAtTheShoulderOrWhereItsAxisHasTheHeight) {
+  const Body body = make_body(figure());  // arms slope down by 45 degrees from (.16, 1.35)
+  const Eigen::Vector3d down = Eigen::Vector3d(1, -1, 0).normalized();
+  const auto begins = [&](const Eigen::Matrix3Xd& tube) {
+    return (down.transpose() * (tube.colwise() - Eigen::Vector3d(.16, 1.35, 0))).minCoeff();
+  };
+  EXPECT_NEAR(begins(placed_tube({.part = "arm.L", .level = "shoulder", .drop = .1}, body)), .1, 1e-9);
+  EXPECT_NEAR(begins(placed_tube({.part = "arm.L", .level = "upperarm.L:0.5", .drop = .02}, body)), .17 / std::sqrt(2.) + .02,
+              1e-9);
+}
+
+TEST(Placement, AtALevelBesideALimbThatIsHeldOutIsRefused) {
+  Mannequin form = figure();
+  for (Bone& bone : form.bones)
+    if (bone.name == "forearm.L") bone.to = {.6, 1.35, 0};
+  try {
+    placed_tube({.part = "arm.L", .level = "waist"}, make_body(form));
+    FAIL();
+  } catch (const BadInput& bad) {
+    EXPECT_EQ(bad.finding().code, "drape.level-beside-limb");
+    EXPECT_NE(bad.finding().remedy.find("shoulder"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace toile::test
