@@ -6,5 +6,6 @@
 namespace toile::mass_spring {
 
 Drape drape(const DrapeRequest& request);
+Drape drape_explicitly(const DrapeRequest& request);
 
 }  // namespace toile::mass_spring
