@@ -125,12 +125,6 @@ BENCHMARK_CAPTURE(redrape, mass_spring, "mass-spring")
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
 
-BENCHMARK_CAPTURE(redrape, explicit, "mass-spring-explicit")
-    ->Arg(10000)
-    ->Iterations(1)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime()
-    ->Unit(benchmark::kSecond);
 }  // namespace
 }  // namespace toile
 
