@@ -207,16 +207,16 @@ TEST_F(SpringsOnBall, WhatNewtonMinimisesHasTheForcesOfTheRelaxation) {
 // From the start, friction holds the two on different ways; from where one has come to rest the other has nowhere to go, but
 // for the slip over which friction builds up anew.
 TEST_F(SpringsOnBall, ComesToRestWhereTheRelaxationDoes) {
-  const auto drape = [&](const char* name, const Eigen::Matrix3Xd& start) {
+  const auto rest_of = [&](const char* name, const Eigen::Matrix3Xd& start) {
     const DrapeRequest request{.garment = sheet_, .start = start, .body = body_, .fabric = orthotropic, .tolerance = 1e-6};
     const Drape drape = find_simulator(name).drape(request);
     EXPECT_TRUE(drape.settled) << name;
     return drape.positions;
   };
   const auto apart = [](const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return (a - b).colwise().norm().mean(); };
-  const Eigen::Matrix3Xd relaxed = drape("mass-spring-explicit", start_);
-  EXPECT_LT(apart(drape("mass-spring", start_), relaxed), .01 * .28);
-  EXPECT_LT(apart(drape("mass-spring", relaxed), relaxed), .2e-3);
+  const Eigen::Matrix3Xd relaxed = rest_of("mass-spring-explicit", start_);
+  EXPECT_LT(apart(rest_of("mass-spring", start_), relaxed), .01 * .28);
+  EXPECT_LT(apart(rest_of("mass-spring", relaxed), relaxed), 2 * cloth_.contact.slip);
 }
 
 TEST_F(SpringsOnBall, DrapesAsFemDoesToAHundredthOfTheSheet) {
