@@ -13,8 +13,10 @@ const std::vector<Simulator>& simulators() {
       {"fem", "quasi-static finite elements: orthotropic membrane, bending, contact, start-anchored friction", fem::drape,
        true},
       {"fem-projected", "the same energy by projected Newton: slower, the reference for fem", fem::drape_projected, true},
-      {"mass-spring", "edge springs moved to rest in small steps, strain limited, velocity friction", mass_spring::drape,
+      {"mass-spring", "edge springs that stiffen at the strain limit, contact, start-anchored friction", mass_spring::drape,
        false},
+      {"mass-spring-explicit", "the same springs moved to rest in small steps: slower, the reference for mass-spring",
+       mass_spring::drape_explicitly, false},
   };
   return list;
 }

@@ -1,3 +1,5 @@
+#include "drape/mass_spring/mass_spring.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -94,6 +96,32 @@ TEST(EdgeSprings, AGatheredSeamPullsToBothItsLengths) {
   EXPECT_GE(pairs, 10);
 }
 
+TEST(SpringStiffness, IsTheDerivativeOfItsForce) {
+  const SpringLaw law{.limit = .1};
+  const Spring spring{0, 1, .02, 30};
+  std::srand(6);
+  for (const double length : {.016, .0194, .02, .021, .024}) {
+    Eigen::Matrix3Xd x(3, 2);
+    x.col(0) = Eigen::Vector3d::Random();
+    x.col(1) = x.col(0) + length * Eigen::Vector3d::Random().normalized();
+    const double pull = pull_of(law, spring, x);
+    const Eigen::Matrix3d stiffness = spring_stiffness(law, spring, x, pull);
+    Eigen::Matrix3d differences;
+    constexpr double step = 1e-7;
+    for (int i = 0; i < 3; ++i) {
+      Eigen::Matrix3Xd more = x, less = x;
+      more(i, 0) += step;
+      less(i, 0) -= step;
+      differences.col(i) = (spring_force(law, spring, less) - spring_force(law, spring, more)) / (2 * step);
+      EXPECT_NEAR((spring_energy(law, spring, less) - spring_energy(law, spring, more)) / (2 * step),
+                  spring_force(law, spring, x)(i), 1e-6);
+    }
+    EXPECT_LT((differences - stiffness).norm(), 1e-4 * stiffness.norm()) << length;
+    const Eigen::Matrix3d clamped = spring_stiffness(law, spring, x, std::max(pull, 0.));
+    EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(clamped).eigenvalues()(0), -1e-9 * clamped.norm());
+  }
+}
+
 class SpringsOnBall : public testing::Test {
  protected:
   const Body body_ = body_of(sphere({0, 1, 0}, .2, 4), "ball");
@@ -154,6 +182,41 @@ TEST_F(SpringsOnBall, AtRestNoSmallMoveLowersTheEnergyByMoreThanFrictionHolds) {
   }
   const Rest again = relax(cloth_, rest.x, {.tolerance = 1e-6});
   EXPECT_LE(energy(cloth_, again.x), least + 1e-9);
+}
+
+TEST_F(SpringsOnBall, WhatNewtonMinimisesHasTheForcesOfTheRelaxation) {
+  std::srand(7);
+  const fem::Model model = make_model(sheet_, orthotropic, body_);
+  const Eigen::Matrix3Xd x = start_ + .3e-3 * Eigen::Matrix3Xd::Random(3, start_.cols());
+  Eigen::Matrix3Xd force;
+  Eigen::VectorXd stiffness;
+  Eigen::Matrix3Xd same = x;
+  BodyContact(cloth_).update(0, same, force, stiffness);
+  ASSERT_GT(force.norm(), 0);
+  add_inner_forces(cloth_, x, force);
+  EXPECT_EQ(same, x);
+  EXPECT_LT((fem::gradient_without_friction(model, x) + force).norm(), 1e-9 * force.norm());
+  const fem::Frozen loose{std::vector<fem::FrictionState>(static_cast<std::size_t>(x.cols())),
+                          {},
+                          std::vector<double>(model.hinges.size(), 0.),
+                          {},
+                          {}};
+  EXPECT_NEAR(fem::energy(model, loose, x), energy(cloth_, x), 1e-9 * std::abs(energy(cloth_, x)));
+}
+
+// From the start, friction holds the two on different ways; from where one has come to rest the other has nowhere to go, but
+// for the slip over which friction builds up anew.
+TEST_F(SpringsOnBall, ComesToRestWhereTheRelaxationDoes) {
+  const auto rest_of = [&](const char* name, const Eigen::Matrix3Xd& start) {
+    const DrapeRequest request{.garment = sheet_, .start = start, .body = body_, .fabric = orthotropic, .tolerance = 1e-6};
+    const Drape drape = find_simulator(name).drape(request);
+    EXPECT_TRUE(drape.settled) << name;
+    return drape.positions;
+  };
+  const auto apart = [](const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return (a - b).colwise().norm().mean(); };
+  const Eigen::Matrix3Xd relaxed = rest_of("mass-spring-explicit", start_);
+  EXPECT_LT(apart(rest_of("mass-spring", start_), relaxed), .01 * .28);
+  EXPECT_LT(apart(rest_of("mass-spring", relaxed), relaxed), 2 * cloth_.contact.slip);
 }
 
 TEST_F(SpringsOnBall, DrapesAsFemDoesToAHundredthOfTheSheet) {

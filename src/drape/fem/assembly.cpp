@@ -33,7 +33,7 @@ std::array<int, blocks> places(const BlockMatrix& matrix, const std::array<int, 
   return place;
 }
 
-// The share of one half of the triangles and hinges.
+// The share of one half of the triangles, springs and hinges.
 void add_cloth(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, Curvature curvature,
                const HessianAssembly& assembly, std::size_t half, std::vector<double>& values) {
   const auto part = [&](std::size_t count) { return std::pair{half * count / 2, (half + 1) * count / 2}; };
@@ -44,6 +44,16 @@ void add_cloth(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd&
     Matrix9 local = Matrix9::Zero();
     membrane_derivatives(element, model.law, corners_of(element, x), curvature, ignored, &local);
     add_local(element.vertex, assembly.triangle_place[t], local, values);
+  }
+  const auto [first_spring, last_spring] = part(model.springs.size());
+  for (std::size_t s = first_spring; s < last_spring; ++s) {
+    const mass_spring::Spring& spring = model.springs[s];
+    double pull = frozen.pull.empty() ? mass_spring::pull_of(model.spring_law, spring, x) : frozen.pull[s];
+    if (curvature == Curvature::clamped) pull = std::max(pull, 0.0);
+    const Eigen::Matrix3d block = mass_spring::spring_stiffness(model.spring_law, spring, x, pull);
+    Eigen::Matrix<double, 6, 6> local;
+    local << block, -block, -block, block;
+    add_local(std::array<int, 2>{spring.a, spring.b}, assembly.spring_place[s], local, values);
   }
   const auto [first_hinge, last_hinge] = part(model.hinges.size());
   for (std::size_t h = first_hinge; h < last_hinge; ++h) {
@@ -59,14 +69,15 @@ void add_cloth(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd&
 
 std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
   std::vector<std::pair<int, int>> pairs = std::move(coupled);
-  for (const MembraneElement& e : model.triangles)
-    for (std::size_t i = 0; i < 3; ++i) pairs.emplace_back(e.vertex[i], e.vertex[(i + 1) % 3]);
+  for (const ContactEdge& e : model.contact_edges) pairs.emplace_back(e.vertex[0], e.vertex[1]);
   for (const Hinge& h : model.hinges)
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(h.vertex[i], h.vertex[j]);
   std::unique_ptr<HessianAssembly> assembly(
-      new HessianAssembly{BlockMatrix(static_cast<int>(model.mass.size()), std::move(pairs)), {}, {}, {}, {}});
+      new HessianAssembly{BlockMatrix(static_cast<int>(model.mass.size()), std::move(pairs)), {}, {}, {}, {}, 1, {}});
   for (const MembraneElement& e : model.triangles) assembly->triangle_place.push_back(places<6>(assembly->matrix, e.vertex));
+  for (const mass_spring::Spring& s : model.springs)
+    assembly->spring_place.push_back(places<3>(assembly->matrix, std::array<int, 2>{s.a, s.b}));
   for (const Hinge& h : model.hinges) {
     assembly->hinge_place.push_back(places<10>(assembly->matrix, h.vertex));
     for (std::size_t i = 0; i < 4; ++i)
@@ -84,7 +95,7 @@ void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& 
   std::vector<double>& values = matrix.values();
   in_ranges(2, 2, [&](int half, int, int) {
     if (half == 0)
-      std::copy(assembly.constant.begin(), assembly.constant.end(), values.begin());
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = assembly.bending_share * assembly.constant[i];
     else
       std::fill(assembly.second.begin(), assembly.second.end(), 0.0);
     add_cloth(model, frozen, x, curvature, assembly, static_cast<std::size_t>(half), half == 0 ? values : assembly.second);

@@ -16,7 +16,9 @@ struct HessianAssembly {
   BlockMatrix matrix;
   std::vector<double> constant;
   std::vector<std::array<int, 6>> triangle_place;  // BlockMatrix::place of corner pairs (i, j <= i)
+  std::vector<std::array<int, 3>> spring_place;
   std::vector<std::array<int, 10>> hinge_place;
+  double bending_share = 1;    // times as much of the constant part is taken
   std::vector<double> second;  // half of the sum, so that two threads can add
 };
 // `coupled`: further vertex pairs that may share a block.

@@ -7,17 +7,15 @@
 #include "drape/guards.h"
 
 namespace toile::fem {
-namespace {
 
-Drape run(const DrapeRequest& request, Curvature curvature, const char* name) {
+Drape drape_at_equilibrium(const DrapeRequest& request, Model (*make)(const GarmentMesh&, const Fabric&, const Body&),
+                           NewtonOptions options, const char* name) {
   if (request.start.cols() != request.garment.vertex_count)
-    throw std::invalid_argument("fem: start has another number of vertices than the garment");
-  if (!request.start.allFinite()) throw std::invalid_argument("fem: start is not finite");
+    throw std::invalid_argument(std::string(name) + ": start has another number of vertices than the garment");
+  if (!request.start.allFinite()) throw std::invalid_argument(std::string(name) + ": start is not finite");
   const auto began = std::chrono::steady_clock::now();
-  const Model model = make_model(request.garment, request.fabric, request.body);
-  NewtonOptions options;
+  const Model model = make(request.garment, request.fabric, request.body);
   options.tolerance = request.tolerance;
-  options.curvature = curvature;
   options.time_limit = request.time_limit;
   options.stop = request.stop;
   if (request.progress)
@@ -34,10 +32,10 @@ Drape run(const DrapeRequest& request, Curvature curvature, const char* name) {
   return drape;
 }
 
-}  // namespace
+Drape drape(const DrapeRequest& request) { return drape_at_equilibrium(request, make_model, {}, "fem"); }
 
-Drape drape(const DrapeRequest& request) { return run(request, Curvature::full, "fem"); }
-
-Drape drape_projected(const DrapeRequest& request) { return run(request, Curvature::clamped, "fem-projected"); }
+Drape drape_projected(const DrapeRequest& request) {
+  return drape_at_equilibrium(request, make_model, {.curvature = Curvature::clamped}, "fem-projected");
+}
 
 }  // namespace toile::fem

@@ -101,6 +101,9 @@ double lasting_energy(const Model& model, const Frozen& frozen, const Eigen::Mat
     const auto [first_triangle, last_triangle] = share(chunk, model.triangles.size());
     for (std::size_t t = first_triangle; t < last_triangle; ++t)
       sum += membrane_energy(model.triangles[t], model.law, corners_of(model.triangles[t], x));
+    const auto [first_spring, last_spring] = share(chunk, model.springs.size());
+    for (std::size_t s = first_spring; s < last_spring; ++s)
+      sum += mass_spring::spring_energy(model.spring_law, model.springs[s], x);
     const auto [first_hinge, last_hinge] = share(chunk, model.hinges.size());
     for (std::size_t h = first_hinge; h < last_hinge; ++h) {
       sum += model.hinges[h].stiffness / 2 * hinge_vector(model.hinges[h], x).squaredNorm();
@@ -124,6 +127,15 @@ double lagged_energy(const Model& model, const Frozen& frozen, const Eigen::Matr
 
 double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x) {
   return lasting_energy(model, frozen, x, touching(model, x)) + lagged_energy(model, frozen, x);
+}
+
+void predict_pull(const Model& model, const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Frozen& frozen) {
+  frozen.pull.clear();
+  for (const mass_spring::Spring& spring : model.springs) {
+    const Eigen::Vector3d along = from.col(spring.b) - from.col(spring.a);
+    const double square = along.dot(2 * (to.col(spring.b) - to.col(spring.a)) - along);
+    frozen.pull.push_back(pull_at(model.spring_law, (square / (spring.rest * spring.rest) - 1) / 2).pull);
+  }
 }
 
 SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x) {
@@ -152,6 +164,12 @@ Eigen::Matrix3Xd smooth_gradient(const Model& model, const std::vector<double>* 
       Vector9 local = Vector9::Zero();
       membrane_derivatives(element, model.law, corners_of(element, x), Curvature::full, local, nullptr);
       for (int i = 0; i < 3; ++i) g.col(element.vertex[static_cast<std::size_t>(i)]) += local.segment<3>(3 * i);
+    }
+    for (std::size_t s = h * model.springs.size() / 2; s < (h + 1) * model.springs.size() / 2; ++s) {
+      const mass_spring::Spring& spring = model.springs[s];
+      const Eigen::Vector3d force = mass_spring::spring_force(model.spring_law, spring, x);
+      g.col(spring.a) -= force;
+      g.col(spring.b) += force;
     }
     for (std::size_t e = h * model.hinges.size() / 2; e < (h + 1) * model.hinges.size() / 2; ++e) {
       const Hinge& hinge = model.hinges[e];

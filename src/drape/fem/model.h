@@ -1,7 +1,7 @@
 #pragma once
-// The energy that the fem simulator minimises: membrane + bending + weight + body contact + friction on the body (anchored,
-// normal forces lagged) and in the bent cloth (anchored) + contact of the cloth with itself (pairs and normals lagged). One
-// energy for every solver and every test.
+// The energy that the simulators fem and mass-spring minimise: membrane or springs + bending + weight + body contact + friction
+// on the body (anchored, normal forces lagged) and in the bent cloth (anchored) + contact of the cloth with itself (pairs and
+// normals lagged). One energy for every solver and every test.
 
 #include <Eigen/Core>
 #include <array>
@@ -14,6 +14,7 @@
 #include "drape/fem/membrane.h"
 #include "drape/fem/self_contact.h"
 #include "drape/fem/touching.h"
+#include "drape/mass_spring/springs.h"
 #include "garment/mesh.h"
 
 namespace toile::fem {
@@ -29,7 +30,9 @@ struct ContactEdge {
 struct Model {
   MembraneLaw law;
   ContactLaw contact;
-  std::vector<MembraneElement> triangles;
+  std::vector<MembraneElement> triangles;  // none where springs take their place
+  mass_spring::SpringLaw spring_law;
+  std::vector<mass_spring::Spring> springs;
   std::vector<Hinge> hinges;
   std::vector<BendFriction> bend_frictions;  // by hinge
   Eigen::VectorXd mass;                      // kg by vertex
@@ -49,6 +52,7 @@ struct Frozen {
   std::vector<char> touched;  // has been in contact: its anchor stands
   std::vector<double> bent;   // rad, by hinge: the angle at the start
   SelfContact self;
+  std::vector<double> pull;  // phi'(E) of each spring for the Hessian, or none: that of the shape
 };
 
 // Anchors at `start`, for the vertices that touch there; others get theirs when they first touch. No contact of the cloth with
@@ -65,6 +69,12 @@ double energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& 
 // Its two parts: with what holds from the start on, and with what is frozen anew between steps. `touches`: at x.
 double lasting_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x, const std::vector<Touch>& touches);
 double lagged_energy(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& x);
+
+// Springs moved `from` `to` pull, as far as the Hessian is concerned, as if their strain had grown linearly: that they are
+// longer for having been turned by a finite angle is an error of the step, not tension that would stiffen the next one
+// (Magisano et al. 2017, "How to improve efficiency and robustness of the Newton method in geometrically non-linear structural
+// problem discretized via displacement-based finite elements").
+void predict_pull(const Model& model, const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Frozen& frozen);
 
 // What of the cloth is near to itself at `x`.
 SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x);

@@ -13,8 +13,13 @@
 namespace toile::fem {
 namespace {
 
-constexpr double steady_move = 1e-3;  // m, longest of a step after which the Hessian is much the same
-constexpr double near_margin = 3e-3;  // m, of movement before the list of near pairs is made anew
+constexpr double steady_move = 1e-3;       // m, longest of a step after which the Hessian is much the same
+constexpr double first_stiffening = 0.1;   // of the bending part of the Hessian
+constexpr double more_stiffening = 4;      // times as much when it is not enough
+constexpr double less_stiffening = 0.5;    // after a step in full
+constexpr int most_stiffenings = 3;        // in one step
+constexpr double longest_way_out = 10e-3;  // m
+constexpr double near_margin = 3e-3;       // m, of movement before the list of near pairs is made anew
 
 // Positions, and what is known there.
 struct State {
@@ -29,13 +34,30 @@ State state_at(const Model& model, const Frozen& frozen, Eigen::Matrix3Xd x) {
   return {std::move(x), std::move(touches), lasting};
 }
 
+// Moves what `to` presses closer than `floor` m to the body, and closer than `from` does, back out.
+void keep_out(const Model& model, const Eigen::Matrix3Xd& from, double floor, Eigen::Matrix3Xd& to) {
+  for (const Touch& touch : touching(model, to)) {
+    if (touch.body.distance >= floor) continue;
+    const auto [a, b] = touch.vertex;
+    const double before = model.body->distance.distance((from.col(a) + from.col(b)) / 2);
+    const DistanceSample body = model.body->distance.sample((to.col(a) + to.col(b)) / 2);  // others have moved it since
+    const double in = std::min(before, floor) - body.distance, steepness = body.gradient.squaredNorm();
+    if (in <= 0 || steepness < 1e-6) continue;
+    const Eigen::Vector3d out = std::min(in, longest_way_out) / steepness * body.gradient;
+    to.col(a) += out;
+    if (a != b) to.col(b) += out;
+  }
+}
+
 // Largest fraction of `step`, halving, that lowers the energy enough (Armijo), and the state there; zero when none does.
 std::pair<double, State> line_search(const Model& model, const Frozen& frozen, const State& from, const Eigen::Matrix3Xd& step,
-                                     double slope) {
+                                     double slope, const std::optional<SpringSteps>& springs) {
   const double before = from.lasting + lagged_energy(model, frozen, from.x);
   double fraction = 1;
   for (int halvings = 0; halvings < 25; ++halvings, fraction /= 2) {
-    State to = state_at(model, frozen, from.x + fraction * step);
+    Eigen::Matrix3Xd at = from.x + fraction * step;
+    if (springs) keep_out(model, from.x, springs->floor, at);
+    State to = state_at(model, frozen, std::move(at));
     if (to.lasting + lagged_energy(model, frozen, to.x) <= before + 1e-4 * fraction * slope) return {fraction, std::move(to)};
   }
   return {0, from};
@@ -47,8 +69,15 @@ struct Forces {
   double residual = 0;
 };
 
+// Square of what is left of `force`, N^2, when friction of a vertex takes up as much as its normal force lets it.
+double out_of_cone(double friction, const FrictionState& state, const Eigen::Vector3d& force) {
+  const double across = force.dot(state.normal);
+  const double along = std::max(0.0, (force - across * state.normal).norm() - friction * state.force);
+  return across * across + along * along;
+}
+
 // `normal`: the true forces; `frozen` has the normals of x.
-Forces forces_at(const Model& model, const Frozen& frozen, const State& state, const Eigen::VectorXd& normal) {
+Forces forces_at(const Model& model, const Frozen& frozen, const State& state, const Eigen::VectorXd& normal, Holding holding) {
   Forces forces{lasting_gradient(model, frozen, state.x, state.touches), 0};
   add_self_contact(frozen.self, state.x, forces.lagged);
   double square = 0;
@@ -56,7 +85,9 @@ Forces forces_at(const Model& model, const Frozen& frozen, const State& state, c
     FrictionState friction = frozen.vertex[static_cast<std::size_t>(v)];
     const Eigen::Vector3d lagged = friction_gradient(model.contact, friction, state.x.col(v));
     friction.force = normal(v);
-    square += (forces.lagged.col(v) + friction_gradient(model.contact, friction, state.x.col(v))).squaredNorm();
+    square += holding == Holding::cone
+                  ? out_of_cone(model.contact.friction, friction, forces.lagged.col(v))
+                  : (forces.lagged.col(v) + friction_gradient(model.contact, friction, state.x.col(v))).squaredNorm();
     forces.lagged.col(v) += lagged;
   }
   forces.residual = std::sqrt(square) / weight(model);
@@ -124,12 +155,13 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
   frozen.self = self_contact_at(model, near, start);
   State state = state_at(model, frozen, start);
   sample_touching(model, state.touches);
-  Forces forces = forces_at(model, frozen, state, normal_forces(model, state.touches));
+  Forces forces = forces_at(model, frozen, state, normal_forces(model, state.touches), options.holding);
   Equilibrium best{start, forces.residual, 0, false};
   double dt = options.first_dt;
   const HessianAssembly* factorised_last = nullptr;
   bool factor_serves = false;  // the last step with it was small and did well: another one costs a solution only
   double share = options.least_force_share;
+  double stiffening = 0;
   for (int step = 1; step <= options.most_steps && best.residual > options.tolerance && !out_of_time(); ++step) {
     HessianAssembly& assembly = pattern.fit(frozen.self);
     const auto factorised = [&](Curvature curvature) {
@@ -138,8 +170,20 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
         assembly.matrix.add_diagonal(static_cast<int>(v), model.mass(v) / (dt * dt));
       return assembly.matrix.factorise();
     };
+    const auto full_or_stiffened = [&] {
+      for (int i = 0; i <= most_stiffenings; ++i) {
+        assembly.bending_share = 1 + stiffening;
+        if (factorised(Curvature::full)) return true;
+        stiffening = std::max(stiffening * more_stiffening, first_stiffening);
+      }
+      return false;
+    };
+    const auto factorised_well = [&] {
+      if (!options.springs) return factorised(options.curvature) || factorised(Curvature::clamped);
+      return (forces.residual <= options.springs->clamped_above && full_or_stiffened()) || factorised(Curvature::clamped);
+    };
     const bool as_before = factor_serves && factorised_last == &assembly;
-    if (!as_before && !factorised(options.curvature) && !factorised(Curvature::clamped)) {
+    if (!as_before && !factorised_well()) {
       dt /= 4;
       factor_serves = false;
       continue;
@@ -148,8 +192,13 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
     Eigen::Matrix3Xd move = -assembly.matrix.solve(forces.lagged);
     const double longest = move.colwise().norm().maxCoeff();
     if (longest > options.step_cap) move *= options.step_cap / longest;
-    auto [fraction, reached] = line_search(model, frozen, state, move, forces.lagged.cwiseProduct(move).sum());
+    auto [fraction, reached] = line_search(model, frozen, state, move, forces.lagged.cwiseProduct(move).sum(), options.springs);
     if (auto held = untouched.held(state.x, reached.x)) reached = state_at(model, frozen, std::move(*held));
+    predict_pull(model, state.x, reached.x, frozen);
+    if (fraction < 0.5)
+      stiffening = std::max(stiffening * more_stiffening, first_stiffening);
+    else if (fraction == 1 && !as_before)
+      stiffening *= less_stiffening;
     state = std::move(reached);
     sample_touching(model, state.touches);
     const Eigen::VectorXd normal = normal_forces(model, state.touches);
@@ -157,7 +206,7 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
     update_friction(model, state.x, normal, share, frozen);
     frozen.self = self_contact_at(model, near, state.x);
     const double before = forces.residual;
-    forces = forces_at(model, frozen, state, normal);
+    forces = forces_at(model, frozen, state, normal, options.holding);
     factor_serves = fraction == 1 && longest < steady_move && forces.residual < before / 2;
     share = forces.residual < before ? std::min(share * 1.25, options.most_force_share)
                                      : std::max(share / 2, options.least_force_share);

@@ -2,15 +2,32 @@
 // Static equilibrium by Newton's method with pseudo-time regularisation (mass / dt^2), friction forces lagged between steps.
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "drape/fem/model.h"
 
 namespace toile::fem {
 
+// What friction may take up of the force on a vertex at rest: what it gives at that distance from its anchor, or as much as is
+// needed and its normal force allows (Coulomb's cone).
+enum class Holding { anchored, cone };
+
+// How the search goes where springs have to be followed, which are stiff and have no resistance to being turned.
+struct SpringSteps {
+  // Residual above which the Hessian is clamped outright. Nearer to rest it is the full one; where that is not positive
+  // definite, its bending part counts several times, which holds single vertices and lets folds go.
+  double clamped_above = std::numeric_limits<double>::infinity();
+  // m from the body: what a step presses deeper, and deeper than it was, is moved back out (Mueller et al. 2007, position-based
+  // collisions).
+  double floor = -std::numeric_limits<double>::infinity();
+};
+
 struct NewtonOptions {
   double tolerance = 1e-3;  // on |gradient| / |weight|, friction at the true normal forces
   int most_steps = 300;
+  Holding holding = Holding::anchored;
+  std::optional<SpringSteps> springs = {};
   Curvature curvature = Curvature::full;  // clamped: projected Newton, the reference
   double first_dt = 0.05;                 // s
   double growth = 1.6;                    // of dt, per step

@@ -74,8 +74,7 @@ double weight(const Cloth& cloth) { return gravity * cloth.mass.norm(); }
 
 double energy(const Cloth& cloth, const Eigen::Matrix3Xd& x) {
   double sum = 0;
-  for (const Spring& spring : cloth.springs)
-    sum += spring.stiffness * spring.rest * spring.rest * pull_at(cloth.law, strain(spring, x)).energy;
+  for (const Spring& spring : cloth.springs) sum += spring_energy(cloth.law, spring, x);
   for (Eigen::Index v = 0; v < x.cols(); ++v)
     sum += x.col(v).dot(bending_pull(cloth.bending, x, static_cast<std::size_t>(v))) / 2 + gravity * cloth.mass(v) * x(1, v);
   for (const ContactSample& sample : cloth.samples) {
@@ -91,9 +90,7 @@ void add_inner_forces(const Cloth& cloth, const Eigen::Matrix3Xd& x, Eigen::Matr
     force(1, v) -= gravity * cloth.mass(v);
   }
   for (const Spring& spring : cloth.springs) {
-    const Eigen::Vector3d along = x.col(spring.b) - x.col(spring.a);
-    const double e = (along.squaredNorm() / (spring.rest * spring.rest) - 1) / 2;
-    const Eigen::Vector3d pull = spring.stiffness * pull_at(cloth.law, e).pull * along;
+    const Eigen::Vector3d pull = spring_force(cloth.law, spring, x);
     force.col(spring.a) += pull;
     force.col(spring.b) -= pull;
   }

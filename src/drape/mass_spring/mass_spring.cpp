@@ -3,12 +3,22 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "drape/fem/fem.h"
 #include "drape/guards.h"
 #include "drape/mass_spring/relaxation.h"
 
 namespace toile::mass_spring {
 
-Drape drape(const DrapeRequest& request) {
+fem::Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body) {
+  fem::Model model = fem::make_model(garment, fabric, body);
+  model.triangles.clear();
+  model.spring_law.limit = fabric.most_stretch;
+  model.springs = edge_springs(garment, fabric);
+  model.bend_frictions.assign(model.hinges.size(), {});
+  return model;
+}
+
+Drape drape_explicitly(const DrapeRequest& request) {
   if (request.start.cols() != request.garment.vertex_count)
     throw std::invalid_argument("mass-spring: start has another number of vertices than the garment");
   if (!request.start.allFinite()) throw std::invalid_argument("mass-spring: start is not finite");
@@ -26,10 +36,17 @@ Drape drape(const DrapeRequest& request) {
   drape.residual = rest.residual;
   drape.steps = rest.steps;
   drape.settled = rest.settled;
-  drape.simulator = "mass-spring";
+  drape.simulator = "mass-spring-explicit";
   measure_guards(request, drape);
   drape.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return drape;
+}
+
+Drape drape(const DrapeRequest& request) {
+  fem::NewtonOptions options;
+  options.holding = fem::Holding::cone;
+  options.springs = {.clamped_above = 0.3, .floor = 0.3e-3};
+  return fem::drape_at_equilibrium(request, make_model, options, "mass-spring");
 }
 
 }  // namespace toile::mass_spring

@@ -78,6 +78,10 @@ std::vector<RestTriangle> rest_edges(const GarmentMesh& garment) {
   return triangles;
 }
 
+double strain(const Spring& spring, const Eigen::Vector3d& along) {
+  return (along.squaredNorm() / (spring.rest * spring.rest) - 1) / 2;
+}
+
 using Weights = std::vector<std::array<double, 3>>;  // by triangle and its edge, N/m
 
 // Weights with which the springs of the triangles around every vertex have the wanted tensor; where they run in too few
@@ -144,6 +148,27 @@ Pull pull_at(const SpringLaw& law, double strain) {
     p.slope -= lost * u / crumple_width;
   }
   return p;
+}
+
+double spring_energy(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x) {
+  const Eigen::Vector3d along = x.col(spring.b) - x.col(spring.a);
+  return spring.stiffness * spring.rest * spring.rest * pull_at(law, strain(spring, along)).energy;
+}
+
+Eigen::Vector3d spring_force(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x) {
+  const Eigen::Vector3d along = x.col(spring.b) - x.col(spring.a);
+  return spring.stiffness * pull_at(law, strain(spring, along)).pull * along;
+}
+
+Eigen::Matrix3d spring_stiffness(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x, double pull) {
+  const Eigen::Vector3d along = x.col(spring.b) - x.col(spring.a);
+  const double slope = pull_at(law, strain(spring, along)).slope;
+  return spring.stiffness *
+         (slope / (spring.rest * spring.rest) * along * along.transpose() + pull * Eigen::Matrix3d::Identity());
+}
+
+double pull_of(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x) {
+  return pull_at(law, strain(spring, x.col(spring.b) - x.col(spring.a))).pull;
 }
 
 NetworkStiffness network_stiffness(const Fabric& fabric) {

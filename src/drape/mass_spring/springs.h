@@ -31,6 +31,14 @@ struct Pull {
 };
 Pull pull_at(const SpringLaw& law, double strain);
 
+double spring_energy(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x);  // J
+// N, on `a`; on `b` its opposite.
+Eigen::Vector3d spring_force(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x);
+// N/m, the block of `a` with itself, and the opposite of that of `a` with `b`. `pull`: phi'(E) that it is to be taken for; not
+// negative makes it positive semidefinite.
+Eigen::Matrix3d spring_stiffness(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x, double pull);
+double pull_of(const SpringLaw& law, const Spring& spring, const Eigen::Matrix3Xd& x);  // phi'(E)
+
 // Plane stiffness that springs can have: c12 = c66 (Cauchy's relation), N/m.
 struct NetworkStiffness {
   double warp = 0, weft = 0, cross = 0;
