@@ -4,75 +4,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "edit/operation.h"
+#include "edit/worn_tube.h"
 #include "geometry/surface_distance.h"
-#include "style/synthetic_skirt.h"
-#include "triangulate/triangulate.h"
 
 namespace toile {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A tube of upright strips round the body of the synthetic skirt, as if it floated there.
-struct Tube {
-  double radius = 0.30, top = 1.20, bottom = 0.50;  // m
-  int panels = 4;
-};
-
-WornGarment worn(const Tube& tube) {
-  const double width = 2 * pi * tube.radius / tube.panels, height = tube.top - tube.bottom;
-  Piece piece;
-  piece.name = "strip";
-  piece.quantity = tube.panels;
-  const auto edge = [&](const char* id, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    piece.outline.push_back({id, {{from, true, {}}, {to, true, {}}}, {}, false});
-  };
-  edge("hem", {0, 0}, {width, 0});
-  edge("side_right", {width, 0}, {width, height});
-  edge("top", {width, height}, {0, height});
-  edge("side_left", {0, height}, {0, 0});
-  piece.notches.push_back({"side_right", 0.25});
-  piece.notches.push_back({"side_right", 0.9});
-  piece.grainline = Grainline{{width / 2, 0.1 * height}, {width / 2, 0.9 * height}};
-  WornGarment garment;
-  garment.pattern.name = "tube";
-  garment.pattern.pieces = {piece};
-  for (int i = 1; i <= tube.panels; ++i)
-    garment.pattern.seams.push_back({"side " + std::to_string(i),
-                                     {"strip", i, "side_right", 0, 1},
-                                     {"strip", i % tube.panels + 1, "side_left", 1, 0},
-                                     false});
-  garment.edge_length = 25e-3;
-  garment.garment = sew(garment.pattern, triangulate(garment.pattern, {.edge_length = garment.edge_length}));
-  garment.drape.resize(3, garment.garment.vertex_count);
-  for (std::size_t p = 0; p < garment.garment.panels.size(); ++p)
-    for (Eigen::Index v = 0; v < garment.garment.panels[p].rest.cols(); ++v) {
-      const Eigen::Vector2d at = garment.garment.panels[p].rest.col(v);
-      const double angle = (static_cast<double>(p) + at.x() / width) * 2 * pi / tube.panels;
-      garment.drape.col(garment.garment.welded[p](v)) << tube.radius * std::sin(angle), tube.bottom + at.y(),
-          tube.radius * std::cos(angle);
-    }
-  return garment;
-}
-
-const Body& body() {
-  static const Body one = make_body(testing::elliptical_body({}));
-  return one;
-}
-
-Target mixed(const Tube& first, const Tube& second, EditArguments arguments) {
-  const WornGarment own = worn(first);
-  arguments["with"] = "other";
-  return find_operation("mix").apply(
-      {own.pattern,
-       own.garment,
-       own.drape,
-       body(),
-       {},
-       [&](const std::string&, const Body&, const std::string&) { return std::make_shared<const WornGarment>(worn(second)); }},
-      arguments);
-}
+using testing::mixed;
+using testing::Tube;
+using testing::worn;
 
 Finding refusal(const Tube& first, const Tube& second, const EditArguments& arguments) {
   try {

@@ -1,0 +1,31 @@
+#pragma once
+// A joint stretch by stretch: which pieces meet there, and how far from flat the garment is along it (paper Sec. 5, "Joining
+// garment components": patterns are joined where the Gaussian curvature along the transition is small).
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "edit/mix/united_piece.h"
+#include "garment/mesh.h"
+
+namespace toile {
+
+struct JointStretch {
+  int seam = 0;            // index into the pattern's seams
+  double length = 0;       // m
+  double curvature = 0;    // radians: sum of the angle defects along it, positive where the garment bulges
+  double turns_apart = 0;  // radians: the greatest sum, by amount, over any part of it
+};
+
+// `positions`: one column per garment vertex. The ends are left out: what happens there is the other seams' business.
+JointStretch joint_stretch(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, int seam);
+
+// Garment vertices of the seam, ends included.
+std::set<int> vertices_of_seam(const Pattern& pattern, const GarmentMesh& garment, int seam);
+
+// The two pieces that the seam joins edge to edge, whole edges of two different pieces, with this pair of copies alone; the
+// larger one is the base.
+std::optional<PieceJoin> whole_edges(const Pattern& pattern, int seam);
+
+}  // namespace toile

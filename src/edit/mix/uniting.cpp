@@ -1,0 +1,268 @@
+#include "edit/mix/uniting.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "draft/alike.h"
+#include "draft/redraw.h"
+#include "edit/account.h"
+#include "edit/mix/joint_stretch.h"
+#include "edit/mix/unite.h"
+#include "garment/units.h"
+#include "geometry/embed.h"
+#include "triangulate/mating.h"
+
+namespace toile {
+namespace {
+
+// Mean distortion of laying a piece flat beyond which it is not developable: the adjustment's own limit
+// (AdjustOptions::developable_limit).
+constexpr double developable = 0.02;
+// Two edges that turn apart by K bend the cloth beside them by K / 2 each; a line of length L is felt to a depth of L / pi, so
+// the strain along it comes to K / (4 pi). This is where that reaches the limit: 14 degrees.
+constexpr double flat_enough = 4 * std::numbers::pi * developable;
+constexpr double grain_differs = 3 * units::degree;
+
+enum class Fate { united, keeps_edge, not_opposite, never, curved, not_flat, same_piece };
+
+struct Stretch {
+  JointStretch joint;
+  std::string names[2];  // of the panels, as they were
+  Fate fate = Fate::united;
+  std::pair<int, int> kind{-1, -1};  // shapes of both pieces: pieces that are alike share their fate
+  double distortion = 0;
+  std::set<int> vertices;  // of the garment before
+};
+
+std::string panel_name(const Pattern& pattern, const EdgeSpan& span) {
+  return copies(*find_piece(pattern, span.piece)) == 1 ? span.piece : span.piece + ":" + std::to_string(span.copy);
+}
+
+std::vector<Stretch> stretches(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
+                               const Eigen::Matrix3Xd& positions, bool never) {
+  const Likeness likeness = find_likeness(pattern, 1e-4);
+  std::vector<Stretch> found;
+  for (int s = joined.first_joint; s < static_cast<int>(pattern.seams.size()); ++s) {
+    const Seam& seam = pattern.seams[static_cast<std::size_t>(s)];
+    Stretch stretch;
+    stretch.joint = joint_stretch(pattern, garment, positions, s);
+    stretch.names[0] = panel_name(pattern, seam.a);
+    stretch.names[1] = panel_name(pattern, seam.b);
+    const auto join = whole_edges(pattern, s);
+    if (join) {
+      const auto shape = [&](int piece) { return likeness.lays[static_cast<std::size_t>(piece)].shape; };
+      stretch.kind = std::minmax(shape(join->base), shape(join->other));
+    }
+    stretch.fate = !joined.across[static_cast<std::size_t>(s - joined.first_joint)] ? Fate::keeps_edge
+                   : !join                                                          ? Fate::not_opposite
+                   : never                                                          ? Fate::never
+                   : stretch.joint.turns_apart > flat_enough                        ? Fate::curved
+                                                                                    : Fate::united;
+    found.push_back(std::move(stretch));
+  }
+  return found;
+}
+
+// What keeps one of them from being united keeps all that are alike from it.
+void share_fates(std::vector<Stretch>& stretches) {
+  std::map<std::pair<int, int>, Fate> worst;
+  for (const Stretch& s : stretches)
+    if (s.kind.first >= 0 && s.fate != Fate::united) worst[s.kind] = s.fate;
+  for (Stretch& s : stretches)
+    if (const auto found = worst.find(s.kind); s.fate == Fate::united && found != worst.end()) s.fate = found->second;
+}
+
+struct Whole {
+  Pattern pattern;
+  GarmentMesh garment;
+  std::vector<Eigen::Matrix2d> shapes;
+  std::vector<int> vertex, seam;            // of those before
+  std::vector<std::set<int>> joints;        // [piece]: stretches inside it, by index
+  std::map<int, double> grain_turn, apart;  // by stretch
+};
+
+std::vector<int> after(const std::vector<int>& first, const std::vector<int>& then) {
+  std::vector<int> result;
+  for (const int i : then) result.push_back(first[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+std::vector<int> counted(std::size_t count) {
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+// One piece after the other; all copies of a pair of pieces at once.
+Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector<Stretch>& stretches) {
+  Whole whole{pattern, garment, rest_triangles(garment), counted(static_cast<std::size_t>(garment.vertex_count)),
+              counted(pattern.seams.size()), {}, {}, {}};
+  std::map<std::string, std::set<int>> joints;  // by name of the piece
+  std::set<int> pending;
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+    if (stretches[i].fate == Fate::united) pending.insert(static_cast<int>(i));
+  while (!pending.empty()) {
+    const auto now = [&](int stretch) {
+      const auto found =
+          std::find(whole.seam.begin(), whole.seam.end(), stretches[static_cast<std::size_t>(stretch)].joint.seam);
+      return whole_edges(whole.pattern, static_cast<int>(found - whole.seam.begin()));
+    };
+    auto join = now(*pending.begin());
+    if (!join) {
+      stretches[static_cast<std::size_t>(*pending.begin())].fate = Fate::same_piece;
+      pending.erase(pending.begin());
+      continue;
+    }
+    std::set<int> together;
+    std::vector<std::pair<int, int>> copies;
+    for (const int i : pending)
+      if (const auto other = now(i); other && other->base == join->base && other->other == join->other &&
+                                     other->base_edge == join->base_edge && other->other_edge == join->other_edge &&
+                                     other->reflected == join->reflected) {
+        together.insert(i);
+        copies.push_back(other->copies.front());
+      }
+    std::sort(copies.begin(), copies.end());
+    join->copies = std::move(copies);
+    for (const int piece : {join->base, join->other})
+      together.merge(std::set<int>(joints[whole.pattern.pieces[static_cast<std::size_t>(piece)].name]));
+    United united = unite(whole.pattern, whole.garment, whole.shapes, *join);
+    for (const int i : together) {
+      if (!pending.erase(i)) continue;
+      whole.grain_turn[i] = united.grain_turn;
+      whole.apart[i] = united.edges_apart;
+    }
+    joints[united.pattern.pieces[static_cast<std::size_t>(united.piece)].name] = std::move(together);
+    whole.vertex = after(whole.vertex, united.vertex);
+    whole.seam = after(whole.seam, united.seam);
+    whole.pattern = std::move(united.pattern);
+    whole.garment = std::move(united.garment);
+    whole.shapes = std::move(united.shapes);
+  }
+  for (const Piece& piece : whole.pattern.pieces) whole.joints.push_back(joints[piece.name]);
+  return whole;
+}
+
+// Mean distortion of the flat cloth as near to every stretch as its curvature is felt.
+void measure_distortion(const Whole& whole, const RestShape& flat, const std::vector<double>& distortion,
+                        std::vector<Stretch>& stretches) {
+  const std::vector<int> offsets = triangle_offsets(whole.garment);
+  for (std::size_t p = 0; p < whole.garment.panels.size(); ++p) {
+    const PanelMesh& panel = whole.garment.panels[p];
+    for (const int i : whole.joints[static_cast<std::size_t>(panel.piece)]) {
+      Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+      std::vector<Eigen::Vector2d> line;
+      for (Eigen::Index v = 0; v < panel.rest.cols(); ++v)
+        if (stretch.vertices.count(whole.vertex[static_cast<std::size_t>(whole.garment.welded[p](v))]))
+          line.push_back(flat[p].col(v));
+      double sum = 0, area = 0;
+      for (Eigen::Index t = 0; t < panel.triangles.cols() && !line.empty(); ++t) {
+        const Eigen::Vector2d centre = (flat[p].col(panel.triangles(0, t)) + flat[p].col(panel.triangles(1, t)) +
+                                        flat[p].col(panel.triangles(2, t))) /
+                                       3;
+        const double far = (*std::min_element(line.begin(), line.end(),
+                                              [&](const auto& a, const auto& b) {
+                                                return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+                                              }) -
+                            centre)
+                               .norm();
+        if (far > stretch.joint.length / std::numbers::pi) continue;
+        const auto at = static_cast<std::size_t>(offsets[p] + t);
+        const double size = std::abs(whole.shapes[at].determinant());
+        sum += size * distortion[at];
+        area += size;
+      }
+      if (area > 0) stretch.distortion = std::max(stretch.distortion, sum / area);
+    }
+  }
+}
+
+std::string figure(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+void describe(const std::vector<Stretch>& stretches, const Whole& whole, const std::string& place, Report& report) {
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& s = stretches[i];
+    const std::string both = s.names[0] + " and " + s.names[1];
+    const std::string figures = "along " + in_cm(s.joint.length) + " their edges turn apart by " +
+                                in_degrees(s.joint.turns_apart) + " degrees (Gaussian curvature " +
+                                figure("%+.3f", s.joint.curvature) + ")";
+    if (s.fate == Fate::united) {
+      report.note("edit.united", place, both + " are one piece: " + figures + ", flat to within " + in_degrees(flat_enough));
+      const double turn = whole.grain_turn.at(static_cast<int>(i));
+      if (turn > grain_differs)
+        report.note("edit.grain-differs", place,
+                    "the grain of " + both + " differs by " + figure("%.0f", turn / units::degree) +
+                        " degrees; the one piece keeps that of the larger part",
+                    "look whether the other part may hang on that grain, or keep the seam (unite = \"never\")");
+      continue;
+    }
+    const char* why = "";
+    switch (s.fate) {
+      case Fate::united: break;
+      case Fate::keeps_edge: why = "an edge of a pattern meets there"; break;
+      case Fate::not_opposite: why = "they do not meet from end to end, seams of one come to the middle of the other"; break;
+      case Fate::never: why = "as asked"; break;
+      case Fate::curved: why = "the garment is not flat there"; break;
+      case Fate::not_flat: why = "together they cannot be laid flat"; break;
+      case Fate::same_piece: why = "they are one piece already"; break;
+    }
+    std::string text = both + " keep a seam (" + why + "): " + figures;
+    if (s.fate == Fate::curved) text += ", more than the " + in_degrees(flat_enough) + " that cloth takes up";
+    if (s.fate == Fate::not_flat) text += ", distorted by " + figure("%.1f %%", 100 * s.distortion);
+    report.note("edit.seam-kept", place, text);
+  }
+}
+
+}  // namespace
+
+Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
+                         const Eigen::Matrix3Xd& positions, bool never, const std::string& place) {
+  std::vector<Stretch> all = stretches(joined, pattern, garment, positions, never);
+  share_fates(all);
+  for (Stretch& s : all) s.vertices = vertices_of_seam(pattern, garment, s.joint.seam);
+  Uniting result;
+  while (true) {
+    Whole whole = all_united(pattern, garment, all);
+    const bool any = std::any_of(all.begin(), all.end(), [](const Stretch& s) { return s.fate == Fate::united; });
+    if (!any) {
+      describe(all, whole, place, result.report);
+      result.pattern = pattern;
+      result.garment = garment;
+      result.vertex = counted(static_cast<std::size_t>(garment.vertex_count));
+      return result;
+    }
+    whole.garment = with_rest(whole.garment, rest_on_outlines(whole.pattern, whole.garment, rest_shape(whole.garment)));
+    std::vector<FlatMesh> panels;
+    for (const PanelMesh& panel : whole.garment.panels) panels.push_back({panel.rest.cols(), panel.triangles});
+    const Embedder embedder(std::move(panels), mating_edges(whole.pattern, whole.garment), whole.shapes);
+    const Embedding flat = embedder.embed(whole.shapes, rest_shape(whole.garment));
+    measure_distortion(whole, flat.panels, flat.distortion, all);
+    bool again = false;
+    for (Stretch& s : all)
+      if (s.fate == Fate::united && s.distortion > developable) {
+        s.fate = Fate::not_flat;
+        again = true;
+      }
+    if (again) {
+      share_fates(all);
+      continue;
+    }
+    result.pattern = redraw(whole.pattern, whole.garment, flat.panels).pattern;
+    result.garment = with_rest(whole.garment, rest_on_outlines(result.pattern, whole.garment, flat.panels));
+    result.vertex = whole.vertex;
+    describe(all, whole, place, result.report);
+    return result;
+  }
+}
+
+}  // namespace toile
