@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "edit/worn_tube.h"
 #include "geometry/surface_distance.h"
@@ -96,6 +97,40 @@ TEST(Mix, SewsWholeGarmentsTogetherAtTheirEdges) {
   EXPECT_EQ(target.pattern->pieces.size(), 2u);
   EXPECT_NEAR(target.positions.row(1).minCoeff(), 0.5, 5e-3);
   for (const int v : target.held) EXPECT_NEAR(target.positions(1, v), 0.89, 1e-3);
+}
+
+// Paper Sec. 5: within 1 % of the body's height of the joint both styles count, so a tube opens into a cone a little before and
+// goes on as a tube a little after.
+TEST(Mix, TakesOnBothStylesNearTheJoint) {
+  const Tube cone{.radius = 0.25, .top = 1.03, .bottom = 0.4, .flare = 0.25};  // 0.30 at the hip
+  const auto slope_beside_joint = [](const Target& target, bool above) {
+    const std::set<int> joint(target.held.begin(), target.held.end());
+    double sum = 0, count = 0;
+    for (Eigen::Index t = 0; t < target.garment.triangles.cols(); ++t) {
+      Eigen::Matrix3d corners;
+      int met = 0;
+      for (int k = 0; k < 3; ++k) {
+        corners.col(k) = target.positions.col(target.garment.triangles(k, t));
+        met += static_cast<int>(joint.count(target.garment.triangles(k, t)));
+      }
+      const Eigen::Vector3d middle = corners.rowwise().mean();
+      if (met < 2 || (middle.y() > 0.83) != above) continue;
+      const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+      sum += std::asin(normal.y());
+      ++count;
+    }
+    return sum / count;
+  };
+  const Target hybrid = mixed({}, cone, {{"loop", "hip"}});
+  const double flare = std::atan(0.25);
+  EXPECT_GT(slope_beside_joint(hybrid, true), 0.1 * flare);
+  EXPECT_LT(slope_beside_joint(hybrid, true), 0.6 * flare);
+  EXPECT_LT(slope_beside_joint(hybrid, false), 0.9 * flare);
+  EXPECT_GT(slope_beside_joint(hybrid, false), 0.4 * flare);
+  // Where the other garment ends at the joint there is nothing to take on.
+  const Target sewn_on =
+      mixed({.bottom = 0.83}, {.radius = 0.30, .top = 0.83, .bottom = 0.4, .flare = 0.25}, {{"loop", "hem"}});
+  EXPECT_LT(slope_beside_joint(sewn_on, true), 0.1 * flare);
 }
 
 TEST(Mix, TakesALoopOfTheOtherGarmentByName) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "edit/contact_region.h"
+#include "edit/mix/blend.h"
 #include "geometry/topology.h"
 #include "style/soft_terms.h"
 
@@ -82,7 +83,7 @@ BodyTerms body_terms(const Body& body, const SideBySide& both, const JoinedGarme
 
 }  // namespace
 
-MixedShape join_style(const Body& body, const JoinedGarment& joined) {
+MixedShape join_style(const Body& body, const JoinedGarment& joined, const EditInput& first, const EditInput& second) {
   const SideBySide both = side_by_side(joined);
   GarmentMesh apart = joined.garment;
   apart.triangles = both.triangles;
@@ -100,11 +101,14 @@ MixedShape join_style(const Body& body, const JoinedGarment& joined) {
   const Pattern nothing;
   const ContactRegion contact = contact_region({nothing, apart, both.positions, body});
   const std::vector<SourceTriangle> reference = source_triangles(both.positions, both.triangles);
+  std::vector<SourceTriangle> both_styles = reference;
+  for (const SourceTriangle& triangle : blended_style(body, joined, both.positions, both.triangles, first, second))
+    both_styles.push_back(triangle);
   const Eigen::VectorXd areas = vertex_areas(reference, both.positions.cols());
   const BodyTerms terms = body_terms(body, both, joined, held, contact, areas);
   mixed.styled = with_weakest_pull([&](const StyleOptions& style) {
     BodyTerms again = terms;
-    const StyleSolution solution = solve_style(both.positions, reference, held, again.all(), style);
+    const StyleSolution solution = solve_style(both.positions, both_styles, held, again.all(), style);
     return styled(body, again, reference, both.positions, contact.gap, solution.initial, solution);
   });
   mixed.positions = mixed.styled.positions.leftCols(first_twin);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace toile {
@@ -39,22 +40,53 @@ double angle_at(const Eigen::Vector3d& at, const Eigen::Vector3d& a, const Eigen
 
 }  // namespace
 
-JointStretch joint_stretch(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, int seam) {
+JointStretch joint_stretch(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, int seam,
+                           double reach) {
   JointStretch stretch;
   stretch.seam = seam;
-  const std::vector<int> vertices = vertices_of(pattern, garment, pattern.seams[static_cast<std::size_t>(seam)].a);
-  std::vector<double> defect(static_cast<std::size_t>(garment.vertex_count), 2 * std::numbers::pi);
-  for (Eigen::Index t = 0; t < garment.triangles.cols(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int v = garment.triangles(k, t);
-      defect[static_cast<std::size_t>(v)] -= angle_at(positions.col(v), positions.col(garment.triangles((k + 1) % 3, t)),
-                                                      positions.col(garment.triangles((k + 2) % 3, t)));
+  const Seam& joint = pattern.seams[static_cast<std::size_t>(seam)];
+  const std::vector<int> line = vertices_of(pattern, garment, joint.a);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    stretch.length += (positions.col(line[i + 1]) - positions.col(line[i])).norm();
+  const std::vector<int> offsets = triangle_offsets(garment);
+  std::set<int> edge, near, beside;  // of both panels: on their outlines, within reach, and what a triangle joins to these
+  const std::set<int> on_line(line.begin(), line.end());
+  std::vector<std::size_t> panels;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p)
+    for (const EdgeSpan* span : {&joint.a, &joint.b}) {
+      const PanelMesh& panel = garment.panels[p];
+      if (pattern.pieces[static_cast<std::size_t>(panel.piece)].name != span->piece || panel.copy != span->copy) continue;
+      panels.push_back(p);
+      for (const BoundaryVertex& v : panel.boundary) edge.insert(garment.welded[p](v.vertex));
     }
+  std::map<int, std::size_t> place;  // along the line
+  const auto place_of = [&](int v) {
+    if (const auto found = place.find(v); found != place.end()) return found->second;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if ((positions.col(line[i]) - positions.col(v)).norm() < (positions.col(line[best]) - positions.col(v)).norm()) best = i;
+    return place[v] = best;
+  };
+  std::map<int, double> defect;
+  for (const std::size_t p : panels)
+    for (int t = offsets[p]; t < offsets[p + 1]; ++t)
+      for (int k = 0; k < 3; ++k) {
+        const int v = garment.triangles(k, t);
+        if ((positions.col(line[place_of(v)]) - positions.col(v)).norm() < reach) near.insert(v);
+        defect.emplace(v, 2 * std::numbers::pi).first->second -=
+            angle_at(positions.col(v), positions.col(garment.triangles((k + 1) % 3, t)),
+                     positions.col(garment.triangles((k + 2) % 3, t)));
+      }
+  for (const std::size_t p : panels)
+    for (int t = offsets[p]; t < offsets[p + 1]; ++t)
+      for (int k = 0; k < 3; ++k)
+        if (near.count(garment.triangles(k, t)))
+          for (int other = 0; other < 3; ++other) beside.insert(garment.triangles(other, t));
+  std::vector<double> along(line.size(), 0);
+  for (const int v : beside)
+    if (!edge.count(v) || (on_line.count(v) && v != line.front() && v != line.back())) along[place_of(v)] += defect.at(v);
   double most = 0, least = 0;  // sums that end here
-  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    stretch.length += (positions.col(vertices[i + 1]) - positions.col(vertices[i])).norm();
-    if (i == 0) continue;
-    const double here = defect[static_cast<std::size_t>(vertices[i])];
+  for (const double here : along) {
     stretch.curvature += here;
     most = std::max(0.0, most + here);
     least = std::min(0.0, least + here);

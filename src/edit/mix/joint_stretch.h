@@ -18,8 +18,11 @@ struct JointStretch {
   double turns_apart = 0;  // radians: the greatest sum, by amount, over any part of it
 };
 
-// `positions`: one column per garment vertex. The ends are left out: what happens there is the other seams' business.
-JointStretch joint_stretch(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, int seam);
+// Of the vertices of the two panels within `reach` (m) of the seam and their neighbours, at the nearest place on it: blending
+// spreads the curvature of a joint so far. `positions`: one column per garment vertex. What lies on the panels' other edges is
+// left out: it is the other seams' business.
+JointStretch joint_stretch(const Pattern& pattern, const GarmentMesh& garment, const Eigen::Matrix3Xd& positions, int seam,
+                           double reach);
 
 // Garment vertices of the seam, ends included.
 std::set<int> vertices_of_seam(const Pattern& pattern, const GarmentMesh& garment, int seam);

@@ -6,6 +6,7 @@
 
 #include "edit/account.h"
 #include "edit/arguments.h"
+#include "edit/mix/blend.h"
 #include "edit/mix/join_style.h"
 #include "edit/mix/joined.h"
 #include "edit/mix/mix_loops.h"
@@ -117,7 +118,7 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
                                     "edit 'mix', other_loop")};
   const JoinedPattern joined = join(a, b, "edit 'mix', loop");
   const JoinedGarment hung = hang(joined, a, b, other->edge_length);
-  MixedShape shape = join_style(input.body, hung);
+  MixedShape shape = join_style(input.body, hung, input, second);
   if (!shape.styled.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,
                     "the garments would have to turn over on themselves in " +
@@ -130,7 +131,8 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
     cut = recut(joined, hung, shape.positions);
     shape.source = shape.positions;
   }
-  Uniting united = unite_where_flat(joined, cut.pattern, cut.garment, shape.positions, never_unite, place_of_edit);
+  Uniting united = unite_where_flat(joined, cut.pattern, cut.garment, shape.positions, blend_share * input.body.form.height,
+                                    never_unite, place_of_edit);
 
   Target target;
   const auto count = static_cast<Eigen::Index>(united.vertex.size());

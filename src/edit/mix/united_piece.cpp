@@ -136,6 +136,7 @@ UnitedPiece united_piece(const Pattern& pattern, const PieceJoin& join) {
   std::vector<int> copies;
   for (const auto& [of_base, of_other] : join.copies) copies.push_back(of_base);
   united.piece = marked_like(base, std::move(outline), copies);
+  if (base.name.rfind(other.name + "_", 0) == 0) united.piece.name = other.name;  // which had it first
   take_marks(base, other, united);
   return united;
 }

@@ -45,13 +45,13 @@ std::string panel_name(const Pattern& pattern, const EdgeSpan& span) {
 }
 
 std::vector<Stretch> stretches(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
-                               const Eigen::Matrix3Xd& positions, bool never) {
+                               const Eigen::Matrix3Xd& positions, double reach, bool never) {
   const Likeness likeness = find_likeness(pattern, 1e-4);
   std::vector<Stretch> found;
   for (int s = joined.first_joint; s < static_cast<int>(pattern.seams.size()); ++s) {
     const Seam& seam = pattern.seams[static_cast<std::size_t>(s)];
     Stretch stretch;
-    stretch.joint = joint_stretch(pattern, garment, positions, s);
+    stretch.joint = joint_stretch(pattern, garment, positions, s, reach);
     stretch.names[0] = panel_name(pattern, seam.a);
     stretch.names[1] = panel_name(pattern, seam.b);
     const auto join = whole_edges(pattern, s);
@@ -101,8 +101,14 @@ std::vector<int> counted(std::size_t count) {
 
 // One piece after the other; all copies of a pair of pieces at once.
 Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector<Stretch>& stretches) {
-  Whole whole{pattern, garment, rest_triangles(garment), counted(static_cast<std::size_t>(garment.vertex_count)),
-              counted(pattern.seams.size()), {}, {}, {}};
+  Whole whole{pattern,
+              garment,
+              rest_triangles(garment),
+              counted(static_cast<std::size_t>(garment.vertex_count)),
+              counted(pattern.seams.size()),
+              {},
+              {},
+              {}};
   std::map<std::string, std::set<int>> joints;  // by name of the piece
   std::set<int> pending;
   for (std::size_t i = 0; i < stretches.size(); ++i)
@@ -163,9 +169,8 @@ void measure_distortion(const Whole& whole, const RestShape& flat, const std::ve
           line.push_back(flat[p].col(v));
       double sum = 0, area = 0;
       for (Eigen::Index t = 0; t < panel.triangles.cols() && !line.empty(); ++t) {
-        const Eigen::Vector2d centre = (flat[p].col(panel.triangles(0, t)) + flat[p].col(panel.triangles(1, t)) +
-                                        flat[p].col(panel.triangles(2, t))) /
-                                       3;
+        const Eigen::Vector2d centre =
+            (flat[p].col(panel.triangles(0, t)) + flat[p].col(panel.triangles(1, t)) + flat[p].col(panel.triangles(2, t))) / 3;
         const double far = (*std::min_element(line.begin(), line.end(),
                                               [&](const auto& a, const auto& b) {
                                                 return (a - centre).squaredNorm() < (b - centre).squaredNorm();
@@ -208,13 +213,26 @@ void describe(const std::vector<Stretch>& stretches, const Whole& whole, const s
     }
     const char* why = "";
     switch (s.fate) {
-      case Fate::united: break;
-      case Fate::keeps_edge: why = "an edge of a pattern meets there"; break;
-      case Fate::not_opposite: why = "they do not meet from end to end, seams of one come to the middle of the other"; break;
-      case Fate::never: why = "as asked"; break;
-      case Fate::curved: why = "the garment is not flat there"; break;
-      case Fate::not_flat: why = "together they cannot be laid flat"; break;
-      case Fate::same_piece: why = "they are one piece already"; break;
+      case Fate::united:
+        break;
+      case Fate::keeps_edge:
+        why = "an edge of a pattern meets there";
+        break;
+      case Fate::not_opposite:
+        why = "they do not meet from end to end, seams of one come to the middle of the other";
+        break;
+      case Fate::never:
+        why = "as asked";
+        break;
+      case Fate::curved:
+        why = "the garment is not flat there";
+        break;
+      case Fate::not_flat:
+        why = "together they cannot be laid flat";
+        break;
+      case Fate::same_piece:
+        why = "they are one piece already";
+        break;
     }
     std::string text = both + " keep a seam (" + why + "): " + figures;
     if (s.fate == Fate::curved) text += ", more than the " + in_degrees(flat_enough) + " that cloth takes up";
@@ -226,8 +244,8 @@ void describe(const std::vector<Stretch>& stretches, const Whole& whole, const s
 }  // namespace
 
 Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
-                         const Eigen::Matrix3Xd& positions, bool never, const std::string& place) {
-  std::vector<Stretch> all = stretches(joined, pattern, garment, positions, never);
+                         const Eigen::Matrix3Xd& positions, double reach, bool never, const std::string& place) {
+  std::vector<Stretch> all = stretches(joined, pattern, garment, positions, reach, never);
   share_fates(all);
   for (Stretch& s : all) s.vertices = vertices_of_seam(pattern, garment, s.joint.seam);
   Uniting result;

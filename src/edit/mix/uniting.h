@@ -14,8 +14,9 @@ struct Uniting {
 
 // `pattern` and `garment`: the joined ones, maybe recut; `positions`: the target's, one column per garment vertex. Where a cut
 // runs across a panel of each side and these meet from end to end, they become one piece when the garment is flat enough there
-// and both can be laid flat together; pieces that are alike are treated alike. `never`: all stay seams.
+// and both can be laid flat together; pieces that are alike are treated alike. `reach`: m, how
+// far from the joint its curvature is spread. `never`: all stay seams.
 Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
-                         const Eigen::Matrix3Xd& positions, bool never, const std::string& place);
+                         const Eigen::Matrix3Xd& positions, double reach, bool never, const std::string& place);
 
 }  // namespace toile
