@@ -53,7 +53,14 @@ TEST(MixUnite, StripsOfOneCylinderBecomeLongerStrips) {
   EXPECT_EQ(findings(target, "edit.grain-differs"), 0);
   EXPECT_NEAR(area_of(*target.pattern), 2 * pi * 0.30 * 0.80, 2e-3);
   EXPECT_EQ(target.pattern->pieces[0].notches.size(), 2u);
-  for (const Seam& seam : target.pattern->seams) EXPECT_EQ(seam.a.edge.find("mix"), std::string::npos) << seam.a.edge;
+  // Sides run through, in one edge and one seam each.
+  EXPECT_EQ(target.pattern->pieces[0].outline.size(), 4u);
+  EXPECT_EQ(target.pattern->seams.size(), 4u);
+  for (const Edge& edge : target.pattern->pieces[0].outline) EXPECT_TRUE(is_straight(edge, 1e-4)) << edge.id;
+  for (const Notch& notch : target.pattern->pieces[0].notches) {
+    EXPECT_EQ(notch.edge, "side_right");
+    EXPECT_TRUE(std::abs(notch.at - 0.15 / 0.8) < 2e-3 || std::abs(notch.at - 0.73 / 0.8) < 2e-3) << notch.at;
+  }
 }
 
 TEST(MixUnite, StripsOfOneConeBecomeLongerSectors) {

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -11,46 +10,26 @@
 
 #include "draft/alike.h"
 #include "draft/redraw.h"
-#include "edit/account.h"
-#include "edit/mix/joint_stretch.h"
+#include "edit/mix/run_on.h"
+#include "edit/mix/stretch_fates.h"
 #include "edit/mix/unite.h"
-#include "garment/units.h"
 #include "geometry/embed.h"
 #include "triangulate/mating.h"
 
 namespace toile {
 namespace {
 
-// Mean distortion of laying a piece flat beyond which it is not developable: the adjustment's own limit
-// (AdjustOptions::developable_limit).
-constexpr double developable = 0.02;
-// Two edges that turn apart by K bend the cloth beside them by K / 2 each; a line of length L is felt to a depth of L / pi, so
-// the strain along it comes to K / (4 pi). This is where that reaches the limit: 14 degrees.
-constexpr double flat_enough = 4 * std::numbers::pi * developable;
-constexpr double grain_differs = 3 * units::degree;
-
-enum class Fate { united, keeps_edge, not_opposite, never, curved, not_flat, same_piece };
-
-struct Stretch {
-  JointStretch joint;
-  std::string names[2];  // of the panels, as they were
-  Fate fate = Fate::united;
-  std::pair<int, int> kind{-1, -1};  // shapes of both pieces: pieces that are alike share their fate
-  double distortion = 0;
-  std::set<int> vertices;  // of the garment before
-};
-
 std::string panel_name(const Pattern& pattern, const EdgeSpan& span) {
   return copies(*find_piece(pattern, span.piece)) == 1 ? span.piece : span.piece + ":" + std::to_string(span.copy);
 }
 
-std::vector<Stretch> stretches(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
-                               const Eigen::Matrix3Xd& positions, double reach, bool never) {
+std::vector<JudgedStretch> stretches(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
+                                     const Eigen::Matrix3Xd& positions, double reach, bool never) {
   const Likeness likeness = find_likeness(pattern, 1e-4);
-  std::vector<Stretch> found;
+  std::vector<JudgedStretch> found;
   for (int s = joined.first_joint; s < static_cast<int>(pattern.seams.size()); ++s) {
     const Seam& seam = pattern.seams[static_cast<std::size_t>(s)];
-    Stretch stretch;
+    JudgedStretch stretch;
     stretch.joint = joint_stretch(pattern, garment, positions, s, reach);
     stretch.names[0] = panel_name(pattern, seam.a);
     stretch.names[1] = panel_name(pattern, seam.b);
@@ -59,32 +38,31 @@ std::vector<Stretch> stretches(const JoinedPattern& joined, const Pattern& patte
       const auto shape = [&](int piece) { return likeness.lays[static_cast<std::size_t>(piece)].shape; };
       stretch.kind = std::minmax(shape(join->base), shape(join->other));
     }
-    stretch.fate = !joined.across[static_cast<std::size_t>(s - joined.first_joint)] ? Fate::keeps_edge
-                   : !join                                                          ? Fate::not_opposite
-                   : never                                                          ? Fate::never
-                   : stretch.joint.turns_apart > flat_enough                        ? Fate::curved
-                                                                                    : Fate::united;
+    stretch.fate = !joined.across[static_cast<std::size_t>(s - joined.first_joint)] ? JointFate::keeps_edge
+                   : !join                                                          ? JointFate::not_opposite
+                   : never                                                          ? JointFate::never
+                   : stretch.joint.turns_apart > flat_enough                        ? JointFate::curved
+                                                                                    : JointFate::united;
     found.push_back(std::move(stretch));
   }
   return found;
 }
 
 // What keeps one of them from being united keeps all that are alike from it.
-void share_fates(std::vector<Stretch>& stretches) {
-  std::map<std::pair<int, int>, Fate> worst;
-  for (const Stretch& s : stretches)
-    if (s.kind.first >= 0 && s.fate != Fate::united) worst[s.kind] = s.fate;
-  for (Stretch& s : stretches)
-    if (const auto found = worst.find(s.kind); s.fate == Fate::united && found != worst.end()) s.fate = found->second;
+void share_fates(std::vector<JudgedStretch>& stretches) {
+  std::map<std::pair<int, int>, JointFate> worst;
+  for (const JudgedStretch& s : stretches)
+    if (s.kind.first >= 0 && s.fate != JointFate::united) worst[s.kind] = s.fate;
+  for (JudgedStretch& s : stretches)
+    if (const auto found = worst.find(s.kind); s.fate == JointFate::united && found != worst.end()) s.fate = found->second;
 }
 
 struct Whole {
   Pattern pattern;
   GarmentMesh garment;
   std::vector<Eigen::Matrix2d> shapes;
-  std::vector<int> vertex, seam;            // of those before
-  std::vector<std::set<int>> joints;        // [piece]: stretches inside it, by index
-  std::map<int, double> grain_turn, apart;  // by stretch
+  std::vector<int> vertex, seam;      // of those before
+  std::vector<std::set<int>> joints;  // [piece]: stretches inside it, by index
 };
 
 std::vector<int> after(const std::vector<int>& first, const std::vector<int>& then) {
@@ -100,19 +78,17 @@ std::vector<int> counted(std::size_t count) {
 }
 
 // One piece after the other; all copies of a pair of pieces at once.
-Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector<Stretch>& stretches) {
+Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector<JudgedStretch>& stretches) {
   Whole whole{pattern,
               garment,
               rest_triangles(garment),
               counted(static_cast<std::size_t>(garment.vertex_count)),
               counted(pattern.seams.size()),
-              {},
-              {},
               {}};
   std::map<std::string, std::set<int>> joints;  // by name of the piece
   std::set<int> pending;
   for (std::size_t i = 0; i < stretches.size(); ++i)
-    if (stretches[i].fate == Fate::united) pending.insert(static_cast<int>(i));
+    if (stretches[i].fate == JointFate::united) pending.insert(static_cast<int>(i));
   while (!pending.empty()) {
     const auto now = [&](int stretch) {
       const auto found =
@@ -121,7 +97,7 @@ Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector
     };
     auto join = now(*pending.begin());
     if (!join) {
-      stretches[static_cast<std::size_t>(*pending.begin())].fate = Fate::same_piece;
+      stretches[static_cast<std::size_t>(*pending.begin())].fate = JointFate::same_piece;
       pending.erase(pending.begin());
       continue;
     }
@@ -139,11 +115,8 @@ Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector
     for (const int piece : {join->base, join->other})
       together.merge(std::set<int>(joints[whole.pattern.pieces[static_cast<std::size_t>(piece)].name]));
     United united = unite(whole.pattern, whole.garment, whole.shapes, *join);
-    for (const int i : together) {
-      if (!pending.erase(i)) continue;
-      whole.grain_turn[i] = united.grain_turn;
-      whole.apart[i] = united.edges_apart;
-    }
+    for (const int i : together)
+      if (pending.erase(i)) stretches[static_cast<std::size_t>(i)].grain_turn = united.grain_turn;
     joints[united.pattern.pieces[static_cast<std::size_t>(united.piece)].name] = std::move(together);
     whole.vertex = after(whole.vertex, united.vertex);
     whole.seam = after(whole.seam, united.seam);
@@ -155,14 +128,31 @@ Whole all_united(const Pattern& pattern, const GarmentMesh& garment, std::vector
   return whole;
 }
 
+// Where the joints that are gone came to the outlines.
+std::vector<PieceCorner> corners_of(const Whole& whole, const std::vector<JudgedStretch>& stretches) {
+  std::vector<PieceCorner> corners;
+  for (std::size_t p = 0; p < whole.garment.panels.size(); ++p) {
+    const PanelMesh& panel = whole.garment.panels[p];
+    if (panel.copy != 1) continue;
+    for (const BoundaryVertex& v : panel.boundary)
+      for (const int i : whole.joints[static_cast<std::size_t>(panel.piece)])
+        if (v.at == 0 && stretches[static_cast<std::size_t>(i)].vertices.count(
+                             whole.vertex[static_cast<std::size_t>(whole.garment.welded[p](v.vertex))])) {
+          corners.push_back({panel.piece, v.edge});
+          break;
+        }
+  }
+  return corners;
+}
+
 // Mean distortion of the flat cloth as near to every stretch as its curvature is felt.
 void measure_distortion(const Whole& whole, const RestShape& flat, const std::vector<double>& distortion,
-                        std::vector<Stretch>& stretches) {
+                        std::vector<JudgedStretch>& stretches) {
   const std::vector<int> offsets = triangle_offsets(whole.garment);
   for (std::size_t p = 0; p < whole.garment.panels.size(); ++p) {
     const PanelMesh& panel = whole.garment.panels[p];
     for (const int i : whole.joints[static_cast<std::size_t>(panel.piece)]) {
-      Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+      JudgedStretch& stretch = stretches[static_cast<std::size_t>(i)];
       std::vector<Eigen::Vector2d> line;
       for (Eigen::Index v = 0; v < panel.rest.cols(); ++v)
         if (stretch.vertices.count(whole.vertex[static_cast<std::size_t>(whole.garment.welded[p](v))]))
@@ -188,77 +178,25 @@ void measure_distortion(const Whole& whole, const RestShape& flat, const std::ve
   }
 }
 
-std::string figure(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-void describe(const std::vector<Stretch>& stretches, const Whole& whole, const std::string& place, Report& report) {
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& s = stretches[i];
-    const std::string both = s.names[0] + " and " + s.names[1];
-    const std::string figures = "along " + in_cm(s.joint.length) + " their edges turn apart by " +
-                                in_degrees(s.joint.turns_apart) + " degrees (Gaussian curvature " +
-                                figure("%+.3f", s.joint.curvature) + ")";
-    if (s.fate == Fate::united) {
-      report.note("edit.united", place, both + " are one piece: " + figures + ", flat to within " + in_degrees(flat_enough));
-      const double turn = whole.grain_turn.at(static_cast<int>(i));
-      if (turn > grain_differs)
-        report.note("edit.grain-differs", place,
-                    "the grain of " + both + " differs by " + figure("%.0f", turn / units::degree) +
-                        " degrees; the one piece keeps that of the larger part",
-                    "look whether the other part may hang on that grain, or keep the seam (unite = \"never\")");
-      continue;
-    }
-    const char* why = "";
-    switch (s.fate) {
-      case Fate::united:
-        break;
-      case Fate::keeps_edge:
-        why = "an edge of a pattern meets there";
-        break;
-      case Fate::not_opposite:
-        why = "they do not meet from end to end, seams of one come to the middle of the other";
-        break;
-      case Fate::never:
-        why = "as asked";
-        break;
-      case Fate::curved:
-        why = "the garment is not flat there";
-        break;
-      case Fate::not_flat:
-        why = "together they cannot be laid flat";
-        break;
-      case Fate::same_piece:
-        why = "they are one piece already";
-        break;
-    }
-    std::string text = both + " keep a seam (" + why + "): " + figures;
-    if (s.fate == Fate::curved) text += ", more than the " + in_degrees(flat_enough) + " that cloth takes up";
-    if (s.fate == Fate::not_flat) text += ", distorted by " + figure("%.1f %%", 100 * s.distortion);
-    report.note("edit.seam-kept", place, text);
-  }
-}
-
 }  // namespace
 
 Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
                          const Eigen::Matrix3Xd& positions, double reach, bool never, const std::string& place) {
-  std::vector<Stretch> all = stretches(joined, pattern, garment, positions, reach, never);
+  std::vector<JudgedStretch> all = stretches(joined, pattern, garment, positions, reach, never);
   share_fates(all);
-  for (Stretch& s : all) s.vertices = vertices_of_seam(pattern, garment, s.joint.seam);
+  for (JudgedStretch& s : all) s.vertices = vertices_of_seam(pattern, garment, s.joint.seam);
   Uniting result;
   while (true) {
     Whole whole = all_united(pattern, garment, all);
-    const bool any = std::any_of(all.begin(), all.end(), [](const Stretch& s) { return s.fate == Fate::united; });
+    const bool any = std::any_of(all.begin(), all.end(), [](const JudgedStretch& s) { return s.fate == JointFate::united; });
     if (!any) {
-      describe(all, whole, place, result.report);
+      describe_stretches(all, place, result.report);
       result.pattern = pattern;
       result.garment = garment;
       result.vertex = counted(static_cast<std::size_t>(garment.vertex_count));
       return result;
     }
+    run_on(whole.pattern, whole.garment, corners_of(whole, all));
     whole.garment = with_rest(whole.garment, rest_on_outlines(whole.pattern, whole.garment, rest_shape(whole.garment)));
     std::vector<FlatMesh> panels;
     for (const PanelMesh& panel : whole.garment.panels) panels.push_back({panel.rest.cols(), panel.triangles});
@@ -266,9 +204,9 @@ Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, co
     const Embedding flat = embedder.embed(whole.shapes, rest_shape(whole.garment));
     measure_distortion(whole, flat.panels, flat.distortion, all);
     bool again = false;
-    for (Stretch& s : all)
-      if (s.fate == Fate::united && s.distortion > developable) {
-        s.fate = Fate::not_flat;
+    for (JudgedStretch& s : all)
+      if (s.fate == JointFate::united && s.distortion > developable_limit) {
+        s.fate = JointFate::not_flat;
         again = true;
       }
     if (again) {
@@ -278,7 +216,7 @@ Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, co
     result.pattern = redraw(whole.pattern, whole.garment, flat.panels).pattern;
     result.garment = with_rest(whole.garment, rest_on_outlines(result.pattern, whole.garment, flat.panels));
     result.vertex = whole.vertex;
-    describe(all, whole, place, result.report);
+    describe_stretches(all, place, result.report);
     return result;
   }
 }
