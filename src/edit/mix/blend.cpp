@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 
-#include "body/relative.h"
 #include "body/triangle_tree.h"
 
 namespace toile {
 namespace {
 
-constexpr double same_cloth = 0.05;  // m along the ray, beyond which the other garment is not there
+constexpr double same_cloth = 0.05;  // m, beyond which the other garment is not there
+constexpr double least_alike = 0.7;  // cosine between the normals of both cloths: beyond 45 degrees a fold of the one has no
+                                     // counterpart in the other
+constexpr double least_area = 0.5;   // of the one cloth's triangle on the other, and the most its inverse
 
 // The edge of one part along the joint, piece by piece.
 class JointEdge {
@@ -44,18 +45,6 @@ class JointEdge {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pieces_;
 };
 
-// Where the other garment crosses the ray from the bone through the point, nearest to it.
-std::optional<Eigen::Vector3d> counterpart(const Body& body, const TriangleTree& cloth, const Eigen::Vector3d& at) {
-  const Eigen::Vector3d from = relative_place(body, at).on_axis, step = at - from;
-  if (!(step.norm() > 1e-6)) return std::nullopt;
-  const double reach = same_cloth / step.norm();
-  double best = std::numeric_limits<double>::infinity();
-  for (const double t : cloth.crossings(from, step, 1 + reach))
-    if (std::abs(t - 1) < std::abs(best - 1)) best = t;
-  if (!(std::abs(best - 1) <= reach)) return std::nullopt;
-  return Eigen::Vector3d(from + best * step);
-}
-
 Eigen::Vector3d normal_of(const SourceTriangle& triangle) { return triangle.plane.col(0).cross(triangle.plane.col(1)); }
 
 }  // namespace
@@ -76,15 +65,18 @@ std::vector<SourceTriangle> blended_style(const Body& body, const JoinedGarment&
       if (near >= tau) continue;
       bool there = true;
       for (int k = 0; k < 3 && there; ++k) {
-        const auto met = counterpart(body, cloth[1 - side], own.col(k));
-        there = met.has_value();
-        if (met) other.col(k) = *met;
+        const NearestPoint met = cloth[1 - side].nearest(own.col(k), same_cloth);
+        there = met.triangle >= 0;
+        other.col(k) = met.at;
       }
       if (!there) continue;
       const double far = std::max(near, edges[1 - side].distance(other.rowwise().mean()));
       const auto of_own = source_triangles(own, Eigen::Vector3i(0, 1, 2)),
                  of_other = source_triangles(other, Eigen::Vector3i(0, 1, 2));
-      if (far >= tau || of_own.empty() || of_other.empty() || normal_of(of_own[0]).dot(normal_of(of_other[0])) <= 0) continue;
+      if (far >= tau || of_own.empty() || of_other.empty()) continue;
+      const double area = of_other[0].area / of_own[0].area;
+      if (area < least_area || area > 1 / least_area || normal_of(of_own[0]).dot(normal_of(of_other[0])) < least_alike)
+        continue;
       SourceTriangle triangle = of_other[0];
       triangle.corners = triangles.col(t);
       triangle.area = of_own[0].area * (1 - far * far / (tau * tau));
