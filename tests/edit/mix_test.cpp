@@ -102,7 +102,7 @@ TEST(Mix, SewsWholeGarmentsTogetherAtTheirEdges) {
 // Paper Sec. 5: within 1 % of the body's height of the joint both styles count, so a tube opens into a cone a little before and
 // goes on as a tube a little after.
 TEST(Mix, TakesOnBothStylesNearTheJoint) {
-  const Tube cone{.radius = 0.25, .top = 1.03, .bottom = 0.4, .flare = 0.25};  // 0.30 at the hip
+  const Tube cone{.radius = 0.25, .top = 1.03, .bottom = 0.75, .flare = 0.25, .edge_length = 10e-3};  // 0.30 at the hip
   const auto slope_beside_joint = [](const Target& target, bool above) {
     const std::set<int> joint(target.held.begin(), target.held.end());
     double sum = 0, count = 0;
@@ -121,7 +121,7 @@ TEST(Mix, TakesOnBothStylesNearTheJoint) {
     }
     return sum / count;
   };
-  const Target hybrid = mixed({}, cone, {{"loop", "hip"}});
+  const Target hybrid = mixed({.top = 0.93, .bottom = 0.73, .edge_length = 10e-3}, cone, {{"loop", "hip"}});
   const double flare = std::atan(0.25);
   EXPECT_GT(slope_beside_joint(hybrid, true), 0.1 * flare);
   EXPECT_LT(slope_beside_joint(hybrid, true), 0.6 * flare);
@@ -129,8 +129,10 @@ TEST(Mix, TakesOnBothStylesNearTheJoint) {
   EXPECT_GT(slope_beside_joint(hybrid, false), 0.4 * flare);
   // Where the other garment ends at the joint there is nothing to take on.
   const Target sewn_on =
-      mixed({.bottom = 0.83}, {.radius = 0.30, .top = 0.83, .bottom = 0.4, .flare = 0.25}, {{"loop", "hem"}});
+      mixed({.top = 0.93, .bottom = 0.83}, {.radius = 0.30, .top = 0.83, .bottom = 0.75, .flare = 0.25, .edge_length = 10e-3},
+            {{"loop", "hem"}});
   EXPECT_LT(slope_beside_joint(sewn_on, true), 0.1 * flare);
+  EXPECT_LT((sewn_on.positions - sewn_on.source).colwise().norm().maxCoeff(), 1e-3);
 }
 
 TEST(Mix, TakesALoopOfTheOtherGarmentByName) {

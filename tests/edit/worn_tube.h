@@ -18,6 +18,7 @@ struct Tube {
   double flare = 0;       // growth of the radius with depth
   bool mirrored = false;  // the piece is drawn the other way over
   double turned = 0;      // radians, of the grain line
+  double edge_length = 25e-3;
 };
 
 inline double radius_at(const Tube& tube, double height) { return tube.radius + tube.flare * (tube.top - height); }
@@ -68,7 +69,7 @@ inline WornGarment worn(const Tube& tube) {
   for (int i = 1; i <= tube.panels; ++i)
     garment.pattern.seams.push_back(
         {"side " + std::to_string(i), {"strip", i, right, 0, 1}, {"strip", i % tube.panels + 1, left, 1, 0}, false});
-  garment.edge_length = 25e-3;
+  garment.edge_length = tube.edge_length;
   garment.garment = sew(garment.pattern, triangulate(garment.pattern, {.edge_length = garment.edge_length}));
   garment.drape.resize(3, garment.garment.vertex_count);
   for (std::size_t p = 0; p < garment.garment.panels.size(); ++p) {

@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-constexpr double same_cloth = 0.05;  // m, beyond which the other garment is not there
-constexpr double least_alike = 0.7;  // cosine between the normals of both cloths: beyond 45 degrees a fold of the one has no
-                                     // counterpart in the other
-constexpr double least_area = 0.5;   // of the one cloth's triangle on the other, and the most its inverse
+constexpr double same_cloth = 0.05;   // m, beyond which the other garment is not there
+constexpr double least_alike = 0.7;   // cosine between the normals of both cloths: beyond 45 degrees a fold of the one has no
+                                      // counterpart in the other
+constexpr double blend_weight = 100;  // against E_shape = 1, as contact
 
 // The edge of one part along the joint, piece by piece.
 class JointEdge {
@@ -45,45 +45,49 @@ class JointEdge {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pieces_;
 };
 
-Eigen::Vector3d normal_of(const SourceTriangle& triangle) { return triangle.plane.col(0).cross(triangle.plane.col(1)); }
+Eigen::Vector3d area_vector(const Eigen::Matrix3Xd& x, const Eigen::Vector3i& t) {
+  const Eigen::Vector3d a = x.col(t(0));
+  return Eigen::Vector3d(x.col(t(1)) - a).cross(x.col(t(2)) - a);
+}
 
 }  // namespace
 
-std::vector<SourceTriangle> blended_style(const Body& body, const JoinedGarment& joined, const Eigen::Matrix3Xd& positions,
-                                          const Eigen::Matrix3Xi& triangles, const EditInput& first, const EditInput& second) {
-  const double tau = blend_share * body.form.height;
+std::vector<SoftTerm> alignment_terms(const Body& body, const JoinedGarment& joined, const Eigen::Matrix3Xd& positions,
+                                      const Eigen::Matrix3Xi& triangles, const Eigen::VectorXd& areas, const EditInput& first,
+                                      const EditInput& second) {
+  const double tau = blend_share * body.form.height, length = style_weights(body.form.height).length;
   const JointEdge edges[2] = {{joined, 0}, {joined, 1}};
+  const EditInput* whole[2] = {&first, &second};
   const TriangleTree cloth[2] = {{first.drape, first.garment.triangles}, {second.drape, second.garment.triangles}};
   const std::vector<int> offsets = triangle_offsets(joined.garment);
-  std::vector<SourceTriangle> found;
-  for (std::size_t p = 0; p < joined.garment.panels.size(); ++p) {
-    const int side = joined.side[p];
-    for (Eigen::Index t = offsets[p]; t < offsets[p + 1]; ++t) {
-      Eigen::Matrix3d own, other;
-      for (int k = 0; k < 3; ++k) own.col(k) = positions.col(triangles(k, t));
-      const double near = edges[side].distance(own.rowwise().mean());
-      if (near >= tau) continue;
-      bool there = true;
-      for (int k = 0; k < 3 && there; ++k) {
-        const NearestPoint met = cloth[1 - side].nearest(own.col(k), same_cloth);
-        there = met.triangle >= 0;
-        other.col(k) = met.at;
+  std::vector<int> side(static_cast<std::size_t>(positions.cols()), -1);
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, positions.cols());
+  for (std::size_t p = 0; p < joined.garment.panels.size(); ++p)
+    for (Eigen::Index t = offsets[p]; t < offsets[p + 1]; ++t)
+      for (int k = 0; k < 3; ++k) {
+        side[static_cast<std::size_t>(triangles(k, t))] = joined.side[p];
+        normals.col(triangles(k, t)) += area_vector(positions, triangles.col(t));
       }
-      if (!there) continue;
-      const double far = std::max(near, edges[1 - side].distance(other.rowwise().mean()));
-      const auto of_own = source_triangles(own, Eigen::Vector3i(0, 1, 2)),
-                 of_other = source_triangles(other, Eigen::Vector3i(0, 1, 2));
-      if (far >= tau || of_own.empty() || of_other.empty()) continue;
-      const double area = of_other[0].area / of_own[0].area;
-      if (area < least_area || area > 1 / least_area || normal_of(of_own[0]).dot(normal_of(of_other[0])) < least_alike)
-        continue;
-      SourceTriangle triangle = of_other[0];
-      triangle.corners = triangles.col(t);
-      triangle.area = of_own[0].area * (1 - far * far / (tau * tau));
-      found.push_back(triangle);
-    }
+  std::vector<SoftTerm> terms;
+  for (Eigen::Index v = 0; v < positions.cols(); ++v) {
+    const int own = side[static_cast<std::size_t>(v)];
+    if (own < 0) continue;
+    const Eigen::Vector3d at = positions.col(v);
+    const double near = edges[own].distance(at);
+    if (near >= tau) continue;
+    const NearestPoint other = cloth[1 - own].nearest(at, same_cloth);
+    if (other.triangle < 0) continue;
+    const double far = std::max(near, edges[1 - own].distance(other.at));
+    const EditInput& of = *whole[1 - own];
+    const Eigen::Vector3d normal = area_vector(of.drape, of.garment.triangles.col(other.triangle)).normalized(),
+                          way = other.at - at;
+    const bool beside_its_end = std::abs(way.dot(normal)) < least_alike * way.norm() && way.norm() > 1e-4;
+    if (far >= tau || beside_its_end || normal.dot(normals.col(v).normalized()) < least_alike) continue;
+    const double weight = blend_weight * (1 - far * far / (tau * tau)) * areas(v) / (length * length);
+    for (int i = 0; i < 3; ++i)
+      terms.push_back({static_cast<int>(v), Eigen::Vector3d::Unit(i), (at(i) + other.at(i)) / 2, weight});
   }
-  return found;
+  return terms;
 }
 
 }  // namespace toile
