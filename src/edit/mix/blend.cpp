@@ -84,8 +84,7 @@ std::vector<SoftTerm> alignment_terms(const Body& body, const JoinedGarment& joi
     const bool beside_its_end = std::abs(way.dot(normal)) < least_alike * way.norm() && way.norm() > 1e-4;
     if (far >= tau || beside_its_end || normal.dot(normals.col(v).normalized()) < least_alike) continue;
     const double weight = blend_weight * (1 - far * far / (tau * tau)) * areas(v) / (length * length);
-    for (int i = 0; i < 3; ++i)
-      terms.push_back({static_cast<int>(v), Eigen::Vector3d::Unit(i), (at(i) + other.at(i)) / 2, weight});
+    terms.push_back({static_cast<int>(v), normal, normal.dot(at + other.at) / 2, weight});
   }
   return terms;
 }
