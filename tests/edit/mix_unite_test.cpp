@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "edit/mix/joint_stretch.h"
+#include "edit/mix/unite.h"
 #include "edit/worn_tube.h"
 #include "garment/units.h"
 #include "triangulate/triangulate.h"
@@ -86,6 +88,50 @@ TEST(MixUnite, KeepsASeamWhereATubeOpensIntoACone) {
   }
   // At the free edge of the cone there is a seam in any case.
   EXPECT_EQ(findings(mixed({}, lower, {{"loop", "hip"}}), "edit.united"), 0);
+}
+
+// Unrolled, the ring of a cone turns by 2 pi sin(slope) in all, that of a tube not at all (Gauss-Bonnet).
+TEST(MixUnite, CurvatureOfATubeThatOpensIntoAConeIsThatOfTheCone) {
+  const Tube cone{.radius = 0.25, .top = hip + 0.2, .bottom = 0.4, .flare = 0.25};
+  const Target target = mixed({}, cone, {{"loop", "hip"}});
+  const double all = -2 * pi * 0.25 / std::hypot(1.0, 0.25);
+  for (std::size_t s = 0; s < target.pattern->seams.size(); ++s) {
+    if (target.pattern->seams[s].a.edge != "mix") continue;
+    const JointStretch stretch =
+        joint_stretch(*target.pattern, target.garment, target.positions, static_cast<int>(s), 0.01 * 1.7);
+    EXPECT_NEAR(stretch.length, 2 * pi * 0.30 / 4, 2e-3);
+    // All but what lies in the side seams, a column of vertices in about nineteen.
+    EXPECT_NEAR(stretch.curvature, all / 4 * 18 / 19, 0.03);
+    EXPECT_NEAR(stretch.turns_apart, -stretch.curvature, 0.03);
+  }
+}
+
+TEST(MixUnite, CopiesThatAreNotJoinedStayAPieceOfTheirOwn) {
+  const WornGarment own = worn({});
+  Pattern pattern = own.pattern;
+  pattern.pieces.push_back(pattern.pieces[0]);
+  pattern.pieces[1].name = "other";
+  pattern.seams = {{"top", {"strip", 2, "top", 0, 1}, {"other", 3, "top", 1, 0}, false}};
+  pattern.pieces[1].outline = testing::strip_of({}).outline;
+  // Turned over head first, so that both tops meet.
+  for (Edge& edge : pattern.pieces[1].outline)
+    for (OutlinePoint& point : edge.points) point.at = -point.at;
+  const GarmentMesh garment = sew(pattern, triangulate(pattern, {.edge_length = 40e-3}));
+  const auto one = whole_edges(pattern, 0);
+  ASSERT_TRUE(one);
+  const United united = unite(pattern, garment, rest_triangles(garment), *one);
+  check(united.garment);
+  ASSERT_EQ(united.pattern.pieces.size(), 3u);
+  EXPECT_TRUE(united.pattern.seams.empty());
+  int panels = 0;
+  for (const Piece& piece : united.pattern.pieces) panels += copies(piece);
+  EXPECT_EQ(panels, 7);
+  EXPECT_EQ(copies(united.pattern.pieces[static_cast<std::size_t>(united.piece)]), 1);
+  EXPECT_NEAR(signed_area(united.pattern.pieces[static_cast<std::size_t>(united.piece)]),
+              2 * signed_area(own.pattern.pieces[0]), 1e-6);
+  EXPECT_LT(united.edges_apart, 1e-9);
+  EXPECT_EQ(triangle_count(united.garment), triangle_count(garment));
+  EXPECT_EQ(united.garment.vertex_count, garment.vertex_count);
 }
 
 TEST(MixUnite, KeepsASeamWhenAsked) {
