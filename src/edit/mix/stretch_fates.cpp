@@ -52,6 +52,9 @@ void describe_stretches(const std::vector<JudgedStretch>& stretches, const std::
       case JointFate::not_flat:
         why = "together they cannot be laid flat";
         break;
+      case JointFate::overlaps:
+        why = "in one plane they would lie on each other";
+        break;
       case JointFate::same_piece:
         why = "they are one piece already";
         break;

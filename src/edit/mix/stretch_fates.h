@@ -19,7 +19,7 @@ inline constexpr double developable_limit = 0.02;
 // the strain along it comes to K / (4 pi). This is where that reaches the limit: 14 degrees.
 inline constexpr double flat_enough = 4 * std::numbers::pi * developable_limit;
 
-enum class JointFate { united, keeps_edge, not_opposite, never, curved, not_flat, same_piece };
+enum class JointFate { united, keeps_edge, not_opposite, never, curved, not_flat, overlaps, same_piece };
 
 struct JudgedStretch {
   JointStretch joint;

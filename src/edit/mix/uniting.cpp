@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "draft/alike.h"
@@ -15,7 +16,9 @@
 #include "edit/mix/run_on.h"
 #include "edit/mix/stretch_fates.h"
 #include "edit/mix/unite.h"
+#include "garment/report.h"
 #include "geometry/embed.h"
+#include "geometry/self_crossing.h"
 #include "triangulate/mating.h"
 
 namespace toile {
@@ -172,6 +175,8 @@ constexpr int rounds = 3;  // of laying flat; each leaves about a tenth of what 
 // Mean distortion of the flat cloth as near to every stretch as its curvature is felt.
 void measure_distortion(const Whole& whole, const RestShape& flat, const std::vector<double>& distortion,
                         std::vector<JudgedStretch>& stretches) {
+  for (JudgedStretch& s : stretches)
+    if (s.fate == JointFate::united) s.distortion = 0;
   const std::vector<int> offsets = triangle_offsets(whole.garment);
   for (std::size_t p = 0; p < whole.garment.panels.size(); ++p) {
     const PanelMesh& panel = whole.garment.panels[p];
@@ -202,50 +207,68 @@ void measure_distortion(const Whole& whole, const RestShape& flat, const std::ve
   }
 }
 
+// Stretches inside pieces whose outlines cross themselves.
+std::set<int> overlapping(const Whole& whole, const Pattern& drawn) {
+  std::set<int> found;
+  for (std::size_t p = 0; p < drawn.pieces.size(); ++p) {
+    if (whole.joints[p].empty()) continue;
+    std::vector<Eigen::Vector2d> loop;
+    for (const Edge& edge : drawn.pieces[p].outline)
+      for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) loop.push_back(edge.points[i].at);
+    if (first_self_crossing(loop)) found.insert(whole.joints[p].begin(), whole.joints[p].end());
+  }
+  return found;
+}
+
+bool any_united(const std::vector<JudgedStretch>& stretches) {
+  return std::any_of(stretches.begin(), stretches.end(), [](const JudgedStretch& s) { return s.fate == JointFate::united; });
+}
+
+// What is to be united, united and laid flat; absent when some of it cannot be, and then has another fate.
+std::optional<Uniting> laid_flat(const Pattern& pattern, const GarmentMesh& garment, std::vector<JudgedStretch>& all) {
+  Whole whole = all_united(pattern, garment, all);
+  if (!any_united(all)) return std::nullopt;
+  run_on(whole.pattern, whole.garment, corners_of(whole, all));
+  whole.garment = with_rest(whole.garment, rest_on_outlines(whole.pattern, whole.garment, rest_shape(whole.garment)));
+  std::vector<FlatMesh> panels;
+  for (const PanelMesh& panel : whole.garment.panels) panels.push_back({panel.rest.cols(), panel.triangles});
+  const Embedder embedder(std::move(panels), mating_as_before(whole), whole.shapes);
+  Embedding flat = embedder.embed(whole.shapes, rest_shape(whole.garment));
+  measure_distortion(whole, flat.panels, flat.distortion, all);
+  bool can_be = true;
+  for (JudgedStretch& s : all)
+    if (s.fate == JointFate::united && s.distortion > developable_limit) {
+      s.fate = JointFate::not_flat;
+      can_be = false;
+    }
+  if (!can_be) return std::nullopt;
+  for (int round = 1; round < rounds; ++round)
+    flat = embedder.embed(rest_triangles(with_rest(whole.garment, flat.panels)), flat.panels);
+  Recut drawn = drawn_through(whole.pattern, whole.garment, flat.panels);
+  const std::set<int> crossed = overlapping(whole, drawn.pattern);
+  for (const int i : crossed) all[static_cast<std::size_t>(i)].fate = JointFate::overlaps;
+  if (!crossed.empty()) return std::nullopt;
+  return Uniting{std::move(drawn.pattern), std::move(drawn.garment), std::move(whole.vertex), {}};
+}
+
 }  // namespace
 
 Uniting unite_where_flat(const JoinedPattern& joined, const Pattern& pattern, const GarmentMesh& garment,
                          const Eigen::Matrix3Xd& positions, double reach, bool never, const std::string& place) {
   std::vector<JudgedStretch> all = stretches(joined, pattern, garment, positions, reach, never);
-  share_fates(all);
   for (JudgedStretch& s : all) s.vertices = vertices_of_seam(pattern, garment, s.joint.seam);
-  Uniting result;
-  while (true) {
-    Whole whole = all_united(pattern, garment, all);
-    const bool any = std::any_of(all.begin(), all.end(), [](const JudgedStretch& s) { return s.fate == JointFate::united; });
-    if (!any) {
-      describe_stretches(all, place, result.report);
-      result.pattern = pattern;
-      result.garment = garment;
-      result.vertex = counted(static_cast<std::size_t>(garment.vertex_count));
-      return result;
+  std::optional<Uniting> united;
+  for (share_fates(all); !united && any_united(all); share_fates(all)) {
+    try {
+      united = laid_flat(pattern, garment, all);
+    } catch (const BadInput&) {  // the pieces fold over in their outlines
+      for (JudgedStretch& s : all)
+        if (s.fate == JointFate::united) s.fate = JointFate::overlaps;
     }
-    run_on(whole.pattern, whole.garment, corners_of(whole, all));
-    whole.garment = with_rest(whole.garment, rest_on_outlines(whole.pattern, whole.garment, rest_shape(whole.garment)));
-    std::vector<FlatMesh> panels;
-    for (const PanelMesh& panel : whole.garment.panels) panels.push_back({panel.rest.cols(), panel.triangles});
-    const Embedder embedder(std::move(panels), mating_as_before(whole), whole.shapes);
-    Embedding flat = embedder.embed(whole.shapes, rest_shape(whole.garment));
-    measure_distortion(whole, flat.panels, flat.distortion, all);
-    bool again = false;
-    for (JudgedStretch& s : all)
-      if (s.fate == JointFate::united && s.distortion > developable_limit) {
-        s.fate = JointFate::not_flat;
-        again = true;
-      }
-    if (again) {
-      share_fates(all);
-      continue;
-    }
-    for (int round = 1; round < rounds; ++round)
-      flat = embedder.embed(rest_triangles(with_rest(whole.garment, flat.panels)), flat.panels);
-    Recut drawn = drawn_through(whole.pattern, whole.garment, flat.panels);
-    result.pattern = std::move(drawn.pattern);
-    result.garment = std::move(drawn.garment);
-    result.vertex = whole.vertex;
-    describe_stretches(all, place, result.report);
-    return result;
   }
+  if (!united) united = {pattern, garment, counted(static_cast<std::size_t>(garment.vertex_count)), {}};
+  describe_stretches(all, place, united->report);
+  return std::move(*united);
 }
 
 }  // namespace toile
