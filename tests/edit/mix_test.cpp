@@ -153,6 +153,8 @@ TEST(Mix, FindsTheBestPlaceInARegion) {
 TEST(Mix, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(refusal({}, {.top = 0.5, .bottom = 0.3}, {{"loop", "hip"}}).code, "edit.no-overlap");
   EXPECT_EQ(refusal({}, {}, {{"loop", "hip"}, {"keep", "left"}}).code, "edit.bad-side");
+  EXPECT_EQ(refusal({}, {}, {{"loop", "hip"}, {"unite", "always"}}).code, "edit.bad-choice");
+  EXPECT_EQ(refusal({}, {}, {{"loop", "armhole"}}).code, "edit.no-loop-there");
   EXPECT_EQ(refusal({}, {}, {{"region", "hip"}}).code, "edit.bad-region");
   EXPECT_EQ(refusal({}, {}, {{"region", "hip..waist"}}).code, "edit.bad-region");
   EXPECT_EQ(refusal({}, {}, {{"region", "waist..hip"}, {"other_loop", "hem"}}).code, "edit.two-parameters");
