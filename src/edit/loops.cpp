@@ -8,6 +8,7 @@
 
 #include "edit/edge_chain.h"
 #include "edit/level_loops.h"
+#include "edit/worn_loops.h"
 #include "garment/units.h"
 #include "geometry/topology.h"
 
@@ -31,7 +32,7 @@ std::string list_of_names(const EditInput& input) {
   std::set<std::string> edges;
   for (const Piece& piece : input.pattern.pieces)
     for (const Edge& edge : piece.outline) edges.insert(piece.name + "." + edge.id);
-  std::string list = "hem, waist; edges:";
+  std::string list = "hem, waist, armhole (armhole.L, armhole.R), neckline; edges:";
   for (const std::string& edge : edges) list += " " + edge;
   list += "; heights:";
   for (const auto& [landmark, height] : input.body.form.landmarks) list += " " + landmark;
@@ -90,6 +91,25 @@ std::vector<VertexLoop> highest_free_boundary(const EditInput& input) {
   if (waist != input.body.form.landmarks.end() && std::abs(loop_centre(input.drape, *highest).y() - waist->second) > near)
     return {};
   return {*highest};
+}
+
+// Named by how the garment is worn; absent for other names.
+std::optional<std::vector<VertexLoop>> worn_loops(const EditInput& input, const std::string& name, const std::string& place) {
+  std::vector<VertexLoop> found;
+  if (name == "neckline") {
+    found = necklines(input);
+  } else if (name == "armhole" || name == "armhole.L" || name == "armhole.R") {
+    for (Armhole& armhole : armholes(input))
+      if (name == "armhole" || (name.back() == 'L') == armhole.left) found.push_back(std::move(armhole.loop));
+  } else {
+    return std::nullopt;
+  }
+  if (found.empty())
+    throw BadInput({"edit.no-loop-there", Severity::error, place, "the garment has no closed " + name,
+                    name == "neckline" ? "sew its opening in the pattern, or name the edges round the neck"
+                                       : "where sleeves and bodice are one piece or the seam ends at the neck, choose a level "
+                                         "of the arm such as \"upperarm.L:0.3\""});
+  return found;
 }
 
 struct Level {
@@ -169,6 +189,13 @@ NamedLoops resolve_loops(const EditInput& input, const std::string& name, const 
       closed_chains(input.pattern, input.garment, input.drape, edges, place, name);
     } catch (const BadInput&) {
       return loops_at(input, *level_named(input, name, place), name, place, side);
+    }
+  // Likewise edges called "armhole" of a garment whose sleeves are in more pieces.
+  if (const auto worn = unknown ? worn_loops(input, name, place) : std::nullopt) return {*worn, {}};
+  if (!unknown && (name.rfind("armhole", 0) == 0 || name == "neckline")) try {
+      return {closed_chains(input.pattern, input.garment, input.drape, edges, place, name), {}};
+    } catch (const BadInput&) {
+      return {*worn_loops(input, name, place), {}};
     }
   if (!unknown) {
     const auto loops = closed_chains(input.pattern, input.garment, input.drape, edges, place, name);

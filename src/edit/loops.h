@@ -21,6 +21,9 @@ struct NamedLoops {
 // - "hem": the edges with that id round trunk or legs; failing that, the lowest free boundary round trunk or legs;
 // - "waist": the edges with that id; failing that, the highest free boundary round the trunk within 12 cm of the waist;
 //   failing that, the landmark;
+// - "armhole", "armhole.L", "neckline": the edges with that id; failing that, where sleeves or a collar are sewn on, or would
+// be
+//   (worn_loops.h);
 // - "side", "gore.hem", "gore:3.hem", "front.e2,back.e0": edges of the pattern that close through their seams; edges with the
 //   name of a landmark that do not close mean the landmark;
 // - "hip": a landmark of the body: the loop of mesh edges nearest to that height, round trunk or legs;

@@ -3,76 +3,19 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <set>
 
-#include "edit/operation.h"
+#include "edit/worn_tube.h"
 #include "geometry/surface_distance.h"
-#include "style/synthetic_skirt.h"
-#include "triangulate/triangulate.h"
 
 namespace toile {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A tube of upright strips round the body of the synthetic skirt, as if it floated there.
-struct Tube {
-  double radius = 0.30, top = 1.20, bottom = 0.50;  // m
-  int panels = 4;
-};
-
-WornGarment worn(const Tube& tube) {
-  const double width = 2 * pi * tube.radius / tube.panels, height = tube.top - tube.bottom;
-  Piece piece;
-  piece.name = "strip";
-  piece.quantity = tube.panels;
-  const auto edge = [&](const char* id, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    piece.outline.push_back({id, {{from, true, {}}, {to, true, {}}}, {}, false});
-  };
-  edge("hem", {0, 0}, {width, 0});
-  edge("side_right", {width, 0}, {width, height});
-  edge("top", {width, height}, {0, height});
-  edge("side_left", {0, height}, {0, 0});
-  piece.notches.push_back({"side_right", 0.25});
-  piece.notches.push_back({"side_right", 0.9});
-  piece.grainline = Grainline{{width / 2, 0.1 * height}, {width / 2, 0.9 * height}};
-  WornGarment garment;
-  garment.pattern.name = "tube";
-  garment.pattern.pieces = {piece};
-  for (int i = 1; i <= tube.panels; ++i)
-    garment.pattern.seams.push_back({"side " + std::to_string(i),
-                                     {"strip", i, "side_right", 0, 1},
-                                     {"strip", i % tube.panels + 1, "side_left", 1, 0},
-                                     false});
-  garment.edge_length = 25e-3;
-  garment.garment = sew(garment.pattern, triangulate(garment.pattern, {.edge_length = garment.edge_length}));
-  garment.drape.resize(3, garment.garment.vertex_count);
-  for (std::size_t p = 0; p < garment.garment.panels.size(); ++p)
-    for (Eigen::Index v = 0; v < garment.garment.panels[p].rest.cols(); ++v) {
-      const Eigen::Vector2d at = garment.garment.panels[p].rest.col(v);
-      const double angle = (static_cast<double>(p) + at.x() / width) * 2 * pi / tube.panels;
-      garment.drape.col(garment.garment.welded[p](v)) << tube.radius * std::sin(angle), tube.bottom + at.y(),
-          tube.radius * std::cos(angle);
-    }
-  return garment;
-}
-
-const Body& body() {
-  static const Body one = make_body(testing::elliptical_body({}));
-  return one;
-}
-
-Target mixed(const Tube& first, const Tube& second, EditArguments arguments) {
-  const WornGarment own = worn(first);
-  arguments["with"] = "other";
-  return find_operation("mix").apply(
-      {own.pattern,
-       own.garment,
-       own.drape,
-       body(),
-       {},
-       [&](const std::string&, const Body&, const std::string&) { return std::make_shared<const WornGarment>(worn(second)); }},
-      arguments);
-}
+using testing::mixed;
+using testing::Tube;
+using testing::worn;
 
 Finding refusal(const Tube& first, const Tube& second, const EditArguments& arguments) {
   try {
@@ -156,6 +99,42 @@ TEST(Mix, SewsWholeGarmentsTogetherAtTheirEdges) {
   for (const int v : target.held) EXPECT_NEAR(target.positions(1, v), 0.89, 1e-3);
 }
 
+// Paper Sec. 5: within 1 % of the body's height of the joint both styles count, so a tube opens into a cone a little before and
+// goes on as a tube a little after.
+TEST(Mix, TakesOnBothStylesNearTheJoint) {
+  const Tube cone{.radius = 0.25, .top = 1.03, .bottom = 0.75, .flare = 0.25, .edge_length = 10e-3};  // 0.30 at the hip
+  const auto slope_beside_joint = [](const Target& target, bool above) {
+    const std::set<int> joint(target.held.begin(), target.held.end());
+    double sum = 0, count = 0;
+    for (Eigen::Index t = 0; t < target.garment.triangles.cols(); ++t) {
+      Eigen::Matrix3d corners;
+      int met = 0;
+      for (int k = 0; k < 3; ++k) {
+        corners.col(k) = target.positions.col(target.garment.triangles(k, t));
+        met += static_cast<int>(joint.count(target.garment.triangles(k, t)));
+      }
+      const Eigen::Vector3d middle = corners.rowwise().mean();
+      if (met < 2 || (middle.y() > 0.83) != above) continue;
+      const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+      sum += std::asin(normal.y());
+      ++count;
+    }
+    return sum / count;
+  };
+  const Target hybrid = mixed({.top = 0.93, .bottom = 0.73, .edge_length = 10e-3}, cone, {{"loop", "hip"}});
+  const double flare = std::atan(0.25);
+  EXPECT_GT(slope_beside_joint(hybrid, true), 0.1 * flare);
+  EXPECT_LT(slope_beside_joint(hybrid, true), 0.6 * flare);
+  EXPECT_LT(slope_beside_joint(hybrid, false), 0.9 * flare);
+  EXPECT_GT(slope_beside_joint(hybrid, false), 0.4 * flare);
+  // Where the other garment ends at the joint there is nothing to take on.
+  const Target sewn_on =
+      mixed({.top = 0.93, .bottom = 0.83}, {.radius = 0.30, .top = 0.83, .bottom = 0.75, .flare = 0.25, .edge_length = 10e-3},
+            {{"loop", "hem"}});
+  EXPECT_LT(slope_beside_joint(sewn_on, true), 0.1 * flare);
+  EXPECT_LT((sewn_on.positions - sewn_on.source).colwise().norm().maxCoeff(), 1e-3);
+}
+
 TEST(Mix, TakesALoopOfTheOtherGarmentByName) {
   const Target target =
       mixed({.bottom = 0.9}, {.top = 0.75, .bottom = 0.4, .panels = 5}, {{"loop", "hem"}, {"other_loop", "top"}});
@@ -174,6 +153,8 @@ TEST(Mix, FindsTheBestPlaceInARegion) {
 TEST(Mix, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(refusal({}, {.top = 0.5, .bottom = 0.3}, {{"loop", "hip"}}).code, "edit.no-overlap");
   EXPECT_EQ(refusal({}, {}, {{"loop", "hip"}, {"keep", "left"}}).code, "edit.bad-side");
+  EXPECT_EQ(refusal({}, {}, {{"loop", "hip"}, {"unite", "always"}}).code, "edit.bad-choice");
+  EXPECT_EQ(refusal({}, {}, {{"loop", "armhole"}}).code, "edit.no-loop-there");
   EXPECT_EQ(refusal({}, {}, {{"region", "hip"}}).code, "edit.bad-region");
   EXPECT_EQ(refusal({}, {}, {{"region", "hip..waist"}}).code, "edit.bad-region");
   EXPECT_EQ(refusal({}, {}, {{"region", "waist..hip"}, {"other_loop", "hem"}}).code, "edit.two-parameters");

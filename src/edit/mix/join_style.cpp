@@ -5,6 +5,7 @@
 #include <map>
 
 #include "edit/contact_region.h"
+#include "edit/mix/blend.h"
 #include "geometry/topology.h"
 #include "style/soft_terms.h"
 
@@ -44,7 +45,7 @@ SideBySide side_by_side(const JoinedGarment& joined) {
 }
 
 BodyTerms body_terms(const Body& body, const SideBySide& both, const JoinedGarment& joined, const HardConstraints& held,
-                     const ContactRegion& contact, const Eigen::VectorXd& areas) {
+                     const ContactRegion& contact, const Eigen::VectorXd& areas, const std::vector<SoftTerm>& aligned) {
   constexpr double loose_fit = 0.01, loose_proportion = 0.02, staying = 5e-3;  // as in grading: so that nothing creeps
   const Eigen::Index count = both.positions.cols();
   const StyleWeights weights = style_weights(body.form.height);
@@ -77,12 +78,14 @@ BodyTerms body_terms(const Body& body, const SideBySide& both, const JoinedGarme
       wishes.proportion.push_back({static_cast<int>(v), Eigen::Vector3d::Unit(i), both.positions(i, v),
                                    staying * weights.fit * areas(v) / (weights.length * weights.length)});
   }
+  for (const SoftTerm& term : aligned)
+    if (wishes.moves[static_cast<std::size_t>(term.vertex)]) wishes.proportion.push_back(term);
   return {body, areas, std::move(wishes)};
 }
 
 }  // namespace
 
-MixedShape join_style(const Body& body, const JoinedGarment& joined) {
+MixedShape join_style(const Body& body, const JoinedGarment& joined, const EditInput& first, const EditInput& second) {
   const SideBySide both = side_by_side(joined);
   GarmentMesh apart = joined.garment;
   apart.triangles = both.triangles;
@@ -101,7 +104,8 @@ MixedShape join_style(const Body& body, const JoinedGarment& joined) {
   const ContactRegion contact = contact_region({nothing, apart, both.positions, body});
   const std::vector<SourceTriangle> reference = source_triangles(both.positions, both.triangles);
   const Eigen::VectorXd areas = vertex_areas(reference, both.positions.cols());
-  const BodyTerms terms = body_terms(body, both, joined, held, contact, areas);
+  const BodyTerms terms = body_terms(body, both, joined, held, contact, areas,
+                                     alignment_terms(body, joined, both.positions, both.triangles, areas, first, second));
   mixed.styled = with_weakest_pull([&](const StyleOptions& style) {
     BodyTerms again = terms;
     const StyleSolution solution = solve_style(both.positions, reference, held, again.all(), style);

@@ -13,6 +13,7 @@ struct MixedShape {
   double gap_mean = 0, gap_max = 0;  // m, between the edges before they were joined
 };
 
-MixedShape join_style(const Body& body, const JoinedGarment& joined);
+// `first`, `second`: the whole garments.
+MixedShape join_style(const Body& body, const JoinedGarment& joined, const EditInput& first, const EditInput& second);
 
 }  // namespace toile

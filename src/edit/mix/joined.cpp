@@ -58,9 +58,11 @@ JoinedPattern join(const MixSide& first, const MixSide& second, const std::strin
     const int limb = first.part.limbs[loop];
     const Ring of_a = make_ring(first.input, a, loop, limb, place), of_b = make_ring(second.input, b, loop, limb, place);
     int number = 0;
-    for (const RingMatch& m : match(of_a, of_b, seams_meet))
+    for (const RingMatch& m : match(of_a, of_b, seams_meet)) {
+      joined.across.push_back(a.across[loop] && b.across[loop]);
       joined.pattern.seams.push_back({"mix " + std::to_string(loop + 1) + "." + std::to_string(++number),
                                       span_of(of_a, m.a_begin, m.a_end), span_of(of_b, m.b_begin, m.b_end), false});
+    }
   }
   return joined;
 }

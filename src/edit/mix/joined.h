@@ -24,6 +24,7 @@ struct JoinedPattern {
   Pattern pattern;
   std::vector<std::vector<PanelOrigin>> origin;  // [piece][copy - 1]
   int first_joint = 0;                           // index of the first seam that joins the sides; they are the last ones
+  std::vector<bool> across;                      // by seam from there on: it is a cut across panels on both sides
 };
 
 // Sews ring i of one part to ring i of the other. Where seams of both come to the joint within 3 cm of each other they meet,

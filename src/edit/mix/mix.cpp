@@ -2,13 +2,16 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <set>
 
 #include "edit/account.h"
 #include "edit/arguments.h"
+#include "edit/mix/blend.h"
 #include "edit/mix/join_style.h"
 #include "edit/mix/joined.h"
 #include "edit/mix/mix_loops.h"
 #include "edit/mix/recut.h"
+#include "edit/mix/uniting.h"
 #include "garment/units.h"
 
 namespace toile {
@@ -44,6 +47,13 @@ const std::vector<Parameter>& mix_parameters() {
        {},
        {},
        "before"},
+      {"unite",
+       "loop",
+       "where a cut runs across panels of both garments: \"auto\", they become one piece where the garment is flat there; "
+       "\"never\", they keep a seam",
+       {},
+       {},
+       "auto"},
   };
   return parameters;
 }
@@ -53,6 +63,13 @@ bool keeps_beyond(const std::string& written) {
     throw BadInput({"edit.bad-side", Severity::error, "edit 'mix', keep", "'" + written + "' is no side of a loop",
                     "write \"before\" (above it, or towards the trunk) or \"beyond\""});
   return written == "beyond";
+}
+
+bool never_unites(const std::string& written) {
+  if (written != "auto" && written != "never")
+    throw BadInput({"edit.bad-choice", Severity::error, "edit 'mix', unite", "'" + written + "' is not known here",
+                    "write \"auto\" or \"never\""});
+  return written == "never";
 }
 
 std::shared_ptr<const WornGarment> other_garment(const EditInput& input, const std::string& file) {
@@ -72,12 +89,12 @@ MixLoops loops_named(const EditInput& first, const EditInput& second, const Read
   return mix_loops_in(first, second, read.names.at("region"));
 }
 
-void describe(Report& report, const EditInput& input, const WornGarment& other, const JoinedPattern& joined,
-              const MixedShape& shape, double mismatch) {
+void describe(Report& report, const EditInput& input, const WornGarment& other, const Pattern& pattern, const MixedShape& shape,
+              double mismatch) {
   report.note("edit.moved", place_of_edit,
-              std::to_string(joined.pattern.pieces.size()) + " pieces, of '" + input.pattern.name + "' and '" +
-                  other.pattern.name + "'; their edges were " + in_mm(shape.gap_mean) + " apart in the mean, " +
-                  in_mm(shape.gap_max) + " at most, and meet in the middle");
+              std::to_string(pattern.pieces.size()) + " pieces, of '" + input.pattern.name + "' and '" + other.pattern.name +
+                  "'; their edges were " + in_mm(shape.gap_mean) + " apart in the mean, " + in_mm(shape.gap_max) +
+                  " at most, and meet in the middle");
   char words[96];
   std::snprintf(words, sizeof words, "the edges that meet differed in length by up to %.1f %%", 100 * mismatch);
   report.note("edit.joint", place_of_edit, words);
@@ -90,6 +107,7 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
   check_source(input, "mix");
   const ReadArguments read = read_arguments("mix", mix_parameters(), arguments);
   const bool keep_beyond = keeps_beyond(read.names.at("keep"));
+  const bool never_unite = never_unites(read.names.at("unite"));
   const std::shared_ptr<const WornGarment> other = other_garment(input, read.names.at("with"));
   const EditInput second{other->pattern, other->garment, other->drape, input.body};
   check_source(second, "mix");
@@ -100,7 +118,7 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
                                     "edit 'mix', other_loop")};
   const JoinedPattern joined = join(a, b, "edit 'mix', loop");
   const JoinedGarment hung = hang(joined, a, b, other->edge_length);
-  MixedShape shape = join_style(input.body, hung);
+  MixedShape shape = join_style(input.body, hung, input, second);
   if (!shape.styled.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,
                     "the garments would have to turn over on themselves in " +
@@ -108,26 +126,35 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
                     "choose loops of the two garments that are nearer to each other"});
   const double mismatch = joint_mismatch(joined);
 
-  Target target;
+  Recut cut{joined.pattern, hung.garment};
   if (mismatch > alike) {
-    Recut cut = recut(joined, hung, shape.positions);
-    target.pattern = std::make_shared<const Pattern>(std::move(cut.pattern));
-    target.garment = std::move(cut.garment);
-    target.source = shape.positions;
-  } else {
-    target.pattern = std::make_shared<const Pattern>(joined.pattern);
-    target.garment = hung.garment;
-    target.source = shape.source;
+    cut = recut(joined, hung, shape.positions);
+    shape.source = shape.positions;
   }
-  target.positions = shape.positions;
-  target.held = hung.joint;
+  Uniting united = unite_where_flat(joined, cut.pattern, cut.garment, shape.positions, blend_share * input.body.form.height,
+                                    never_unite, place_of_edit);
+
+  Target target;
+  const auto count = static_cast<Eigen::Index>(united.vertex.size());
+  target.source.resize(3, count);
+  target.positions.resize(3, count);
+  const std::set<int> joint(hung.joint.begin(), hung.joint.end());
+  for (Eigen::Index v = 0; v < count; ++v) {
+    const int before = united.vertex[static_cast<std::size_t>(v)];
+    target.source.col(v) = shape.source.col(before);
+    target.positions.col(v) = shape.positions.col(before);
+    if (joint.count(before)) target.held.push_back(static_cast<int>(v));
+  }
+  target.garment = std::move(united.garment);
   target.before = shape.styled.before;
   target.after = shape.styled.after;
   target.normal_deviation_mean = shape.styled.deviation.mean;
   target.normal_deviation_max = shape.styled.deviation.most;
   target.report.append(other->report);
   target.report.append(loops.report);
-  describe(target.report, input, *other, joined, shape, mismatch);
+  describe(target.report, input, *other, united.pattern, shape, mismatch);
+  target.report.append(united.report);
+  target.pattern = std::make_shared<const Pattern>(std::move(united.pattern));
   return target;
 }
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "edit/account.h"
 #include "edit/loops.h"
 #include "edit/mix/limb_curve.h"
 #include "edit/mix/parting.h"
 #include "edit/mix/region.h"
+#include "edit/worn_loops.h"
 #include "garment/units.h"
 #include "geometry/topology.h"
 
@@ -102,6 +104,26 @@ std::optional<CutLoop> namesake(const EditInput& first, const EditInput& second,
   return std::nullopt;
 }
 
+// Where the second garment's sleeve or collar begins, when the loop is where the first one's does: however their edges are
+// called, and however far down the arm either is cut.
+std::optional<CutLoop> worn_alike(const EditInput& first, const EditInput& second, const CutLoop& own) {
+  constexpr double share = 0.8;  // of the loop's vertices
+  if (own.seam.empty()) return std::nullopt;
+  const std::set<int> vertices(own.seam.begin(), own.seam.end());
+  const auto is_own = [&](const VertexLoop& loop) {
+    const auto met = std::count_if(loop.begin(), loop.end(), [&](int v) { return vertices.count(v) > 0; });
+    return static_cast<double>(met) > share * static_cast<double>(std::max(loop.size(), vertices.size()));
+  };
+  for (const Armhole& armhole : armholes(first))
+    if (is_own(armhole.loop))
+      for (const Armhole& other : armholes(second))
+        if (other.left == armhole.left) return CutLoop{other.loop, {}};
+  for (const VertexLoop& neck : necklines(first))
+    if (is_own(neck))
+      for (const VertexLoop& other : necklines(second)) return CutLoop{other, {}};
+  return std::nullopt;
+}
+
 }  // namespace
 
 MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::string& loop, const std::string& other_loop) {
@@ -110,7 +132,8 @@ MixLoops mix_loops(const EditInput& first, const EditInput& second, const std::s
   loops.first = named_loops(first, loop, "edit 'mix', loop");
   if (other_loop == "auto") {
     for (const CutLoop& own : loops.first) {
-      const auto same = namesake(first, second, own, loop);
+      auto same = namesake(first, second, own, loop);
+      if (!same) same = worn_alike(first, second, own);
       loops.second.push_back(
           same ? *same : line_at(second, axes, limb_curve(first.body, axes, points_of(own, first.drape)), "edit 'mix', loop"));
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "draft/alike.h"
+#include "draft/carry.h"
 #include "draft/places.h"
 #include "draft/redraw.h"
 #include "geometry/embed.h"
@@ -117,11 +118,14 @@ double joint_mismatch(const JoinedPattern& joined) {
 }
 
 Recut recut(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen::Matrix3Xd& positions) {
-  const RestShape flat = laid_flat(joined, hung, positions);
-  const Likeness likeness = find_likeness(joined.pattern, 1e-4);
-  const auto moves = moves_by_shape(joined.pattern, hung.garment, flat, likeness);
+  return drawn_through(joined.pattern, hung.garment, laid_flat(joined, hung, positions));
+}
+
+Recut drawn_through(const Pattern& pattern, const GarmentMesh& garment, const RestShape& flat) {
+  const Likeness likeness = find_likeness(pattern, 1e-4);
+  const auto moves = moves_by_shape(pattern, garment, flat, likeness);
   Recut result;
-  result.pattern = joined.pattern;
+  result.pattern = pattern;
   for (std::size_t p = 0; p < result.pattern.pieces.size(); ++p) {
     const Lay& lay = likeness.lays[p];
     const auto shape = static_cast<std::size_t>(lay.shape);
@@ -132,7 +136,7 @@ Recut recut(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen:
       if (moved.piece == static_cast<int>(p)) at[static_cast<std::size_t>(moved.edge)].push_back(moved.at);
     for (std::size_t e = 0; e < count; ++e) {
       Edge& edge = piece.outline[e];
-      const Edge whole = joined.pattern.pieces[p].outline[e];
+      const Edge whole = pattern.pieces[p].outline[e];
       std::vector<double>& places = at[e];
       places.push_back(0);
       places.push_back(1);
@@ -151,7 +155,15 @@ Recut recut(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen:
       }
     }
   }
-  result.garment = with_rest(hung.garment, rest_on_outlines(result.pattern, hung.garment, flat));
+  result.garment = with_rest(garment, rest_on_outlines(result.pattern, garment, flat));
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const PanelMesh& panel = garment.panels[p];
+    if (panel.copy != 1) continue;
+    Eigen::Matrix3Xi triangles = panel.triangles;
+    if (panel.mirrored) triangles.row(1).swap(triangles.row(2));
+    carry_marks(result.pattern.pieces[static_cast<std::size_t>(panel.piece)], triangles, as_drawn(panel, panel.rest),
+                as_drawn(panel, result.garment.panels[p].rest));
+  }
   return result;
 }
 

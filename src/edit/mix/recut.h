@@ -18,4 +18,8 @@ struct Recut {
 // that were alike still alike.
 Recut recut(const JoinedPattern& joined, const JoinedGarment& hung, const Eigen::Matrix3Xd& positions);
 
+// `pattern` with its outlines drawn through `flat`, a shape of `garment`'s panels, in the way of `recut`; lines and holes go
+// along. `garment` lies on the outlines of `pattern`.
+Recut drawn_through(const Pattern& pattern, const GarmentMesh& garment, const RestShape& flat);
+
 }  // namespace toile

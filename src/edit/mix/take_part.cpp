@@ -267,6 +267,7 @@ Part take_part(const EditInput& input, const Parting& parting, bool beyond, cons
     else
       ring = ring_of_seam(input, parting, fates, part, parting.loops[i].seam, beyond);
     part.rings.push_back(std::move(ring));
+    part.across.push_back(parting.loops[i].seam.empty());
     part.limbs.push_back(limb_inside(input.body, axes, points_of(parting.loops[i], input.drape)));
   }
   return part;

@@ -12,6 +12,7 @@ struct Part {
   std::vector<std::vector<int>> panels;      // [piece][copy - 1]: the panel of the whole garment that it is part of
   std::vector<std::vector<EdgeSpan>> rings;  // by loop: what is open now, in order round
   std::vector<int> limbs;                    // by loop: what it is round, index into trunk_and_limbs
+  std::vector<bool> across;                  // by loop: it runs across panels, not along their edges
 };
 
 // Throws BadInput edit.nothing-left when that side is empty.
