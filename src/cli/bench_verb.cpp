@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
 #include "cli/exit_codes.h"
@@ -20,6 +21,8 @@ namespace toile {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr double worth_sharing = .05;  // of the flattening's error: where less was taken off, nothing is said of its steps
+
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 struct Measured {
@@ -30,7 +33,7 @@ struct Measured {
   double flattened_stretch = 0, stretch = 0;
   double flattened_hausdorff = 0, hausdorff = 0, mean = 0;  // percent of the height
   int iterations = 0;
-  double first_share = 0;  // of the flattening's error that the first iteration took
+  std::optional<double> first_share;  // of what was taken off the flattening's error: by the first iteration
   double seam_mismatch = 0;
   double girth = 0, level = 0;
   bool folds_only = false;
@@ -74,9 +77,9 @@ void measure_row(const BenchOptions& options, Progress& progress, Measured& meas
     measured.stretch_by_step.push_back(step.stretch);
     measured.hausdorff_by_step.push_back(percent * step.hausdorff);
   }
-  if (measured.hausdorff_by_step.size() > 1)
-    measured.first_share = (measured.hausdorff_by_step[0] - measured.hausdorff_by_step[1]) /
-                           std::max(measured.hausdorff_by_step[0] - measured.hausdorff, 1e-9);
+  const double taken = measured.flattened_hausdorff - measured.hausdorff;
+  if (measured.hausdorff_by_step.size() > 1 && taken > worth_sharing * measured.flattened_hausdorff)
+    measured.first_share = (measured.hausdorff_by_step[0] - measured.hausdorff_by_step[1]) / taken;
   measured.seam_mismatch = job.redrawn.seam_mismatch;
   measured.girth = job.tailoring.girth;
   measured.level = job.tailoring.level;
@@ -123,10 +126,10 @@ std::string for_people(const std::vector<Measured>& rows) {
       text += m.row->name + ": " + m.trouble + "\n";
       continue;
     }
-    std::snprintf(line, sizeof line, "%-19s %9d %5.3f - %5.3f %6.2f - %6.2f %7.3f %5d %4.0f %% %3.2fmm %5.1fs  %s; %s, %s\n",
+    std::snprintf(line, sizeof line, "%-19s %9d %5.3f - %5.3f %6.2f - %6.2f %7.3f %5d %6s %3.2fmm %5.1fs  %s; %s, %s\n",
                   m.row->name.c_str(), m.triangles, m.flattened_stretch, m.stretch, m.flattened_hausdorff, m.hausdorff, m.mean,
-                  m.iterations, 100 * m.first_share, m.seam_mismatch * mm_per_m, m.seconds(), m.row->what.c_str(),
-                  m.fabric.c_str(), m.simulator.c_str());
+                  m.iterations, m.first_share ? formatted("%.0f %%", 100 * *m.first_share).c_str() : "-",
+                  m.seam_mismatch * mm_per_m, m.seconds(), m.row->what.c_str(), m.fabric.c_str(), m.simulator.c_str());
     text += line;
     std::snprintf(line, sizeof line, "%-19s %9d %5.3f - %5.3f %6.1f - %6.1f  %s\n", "  paper", p.triangles, p.flattened_stretch,
                   p.stretch, p.flattened_hausdorff, p.hausdorff, m.hausdorff <= p.hausdorff ? "" : "NOT REACHED");
