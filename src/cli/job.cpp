@@ -193,7 +193,13 @@ void make_target(Job& job, Progress& progress) {
   job.target = edit(job.worn, job.scene, recipe.edits);
   if (recipe.replica.height) {
     const Body& body = job.target.body ? *job.target.body : job.scene.body;
-    job.unsewn.clear();  // they have the size of the body
+    if (!job.unsewn.empty()) {
+      Report report;
+      report.warn("pieces.not-sewn", "replica", std::to_string(job.unsewn.size()) + " pieces that are not draped are left out",
+                  "They have the size of the larger body: draw them anew for the replica");
+      add(job, report);
+      job.unsewn.clear();
+    }
     job.target = replica(job.target, edited_pattern(job), body, *recipe.replica.height);
     AllowanceRules& allowances = job.recipe.cut.allowances;
     for (double* allowance : {&allowances.allowance, &allowances.hem})
