@@ -54,7 +54,13 @@ Loaded<ObjFaces> read_obj_faces(const std::string& text, const std::string& plac
   std::istringstream stream(text);
   std::string warning, error;
   const bool read = tinyobj::LoadObjWithCallback(stream, callback, &collected, nullptr, &warning, &error);
-  if (!read || collected.polygons.size() != faces.lines.line_of_face.size()) {
+  const bool in_range = std::all_of(collected.polygons.begin(), collected.polygons.end(), [&](const auto& polygon) {
+    return std::all_of(polygon.begin(), polygon.end(), [&](const ObjCorner& corner) {
+      return corner.vertex >= 0 && 3 * static_cast<std::size_t>(corner.vertex) < collected.positions.size() &&
+             corner.texture >= 0 && 2 * static_cast<std::size_t>(corner.texture) < collected.textures.size();
+    });
+  });
+  if (!read || !in_range || collected.polygons.size() != faces.lines.line_of_face.size()) {
     loaded.report.error("obj.unreadable", place, error.empty() ? "the file is not a valid OBJ" : error, "export it again");
     return loaded;
   }

@@ -1,5 +1,6 @@
 #include "formats/obj/line_check.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -126,6 +127,9 @@ class LineCheck {
       return say("obj.bad-face", "the face has fewer than three corners", "the file may be cut off; export it again");
     for (std::size_t i = 1; i < words.size() && report_.ok(); ++i) {
       const std::size_t slash = words[i].find('/');
+      if (std::count(words[i].begin(), words[i].end(), '/') > 2)  // the loader would make two corners of it
+        return say("obj.bad-face", "the corner '" + std::string(words[i]) + "' has more than a vertex, a texture and a normal",
+                   "export it again");
       index(words[i].substr(0, slash), lines_.vertices, "vertex", vertex_);
       if (!with_texture_ || !report_.ok()) continue;
       const std::string_view after = slash == std::string_view::npos ? std::string_view{} : words[i].substr(slash + 1);

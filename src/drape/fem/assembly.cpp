@@ -69,7 +69,8 @@ void add_cloth(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd&
 
 std::unique_ptr<HessianAssembly> make_assembly(const Model& model, std::vector<std::pair<int, int>> coupled) {
   std::vector<std::pair<int, int>> pairs = std::move(coupled);
-  for (const ContactEdge& e : model.contact_edges) pairs.emplace_back(e.vertex[0], e.vertex[1]);
+  for (const ContactSpot& spot : model.contact_spots)
+    if (spot.corners == 2) pairs.emplace_back(spot.vertex[0], spot.vertex[1]);
   for (const Hinge& h : model.hinges)
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(h.vertex[i], h.vertex[j]);
@@ -110,18 +111,13 @@ void assemble(const Model& model, const Frozen& frozen, const Eigen::Matrix3Xd& 
   }
   for (const Touch& touch : touches) {
     const DistanceSample& body = touch.body;
-    Eigen::Matrix3d block =
-        normal_stiffness(model.contact, touch.area, body.distance) * body.gradient * body.gradient.transpose();
-    if (curvature == Curvature::full) block -= normal_force(model.contact, touch.area, body.distance) * body.hessian;
-    const auto [a, b] = touch.vertex;
-    if (a == b) {
-      matrix.add(a, a, block);
-      continue;
-    }
-    block /= 4;
-    matrix.add(a, a, block);
-    matrix.add(b, b, block);
-    matrix.add(b, a, block);
+    const double area = touch.spot->area;
+    Eigen::Matrix3d block = normal_stiffness(model.contact, area, body.distance) * body.gradient * body.gradient.transpose();
+    if (curvature == Curvature::full) block -= normal_force(model.contact, area, body.distance) * body.hessian;
+    const std::span<const int> corners = corners_of(*touch.spot);
+    block /= touch.spot->corners * touch.spot->corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) matrix.add(corners[i], corners[j], block);
   }
   add_self_contact(frozen.self, x, matrix);
 }

@@ -8,12 +8,12 @@ namespace toile::fem {
 namespace {
 
 struct Depth {
-  double reached, pressed;  // u and w
+  double reached, pressed, sunk;  // u, w and v
 };
 
 Depth depth(const ContactLaw& law, double distance) {
   const double u = (law.reach - distance) / law.reach;
-  return {std::max(u, 0.0), std::max(u - .5, 0.0)};
+  return {std::max(u, 0.0), std::max(u - .5, 0.0), std::max(u - 1, 0.0)};
 }
 
 Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
@@ -24,18 +24,18 @@ Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
 }  // namespace
 
 double normal_energy(const ContactLaw& law, double area, double distance) {
-  const auto [u, w] = depth(law, distance);
-  return area * law.pressure * law.reach / 3 * (u * u * u + law.firmness * w * w * w);
+  const auto [u, w, v] = depth(law, distance);
+  return area * law.pressure * law.reach / 3 * (u * u * u + law.firmness * w * w * w + law.hardness * v * v * v);
 }
 
 double normal_force(const ContactLaw& law, double area, double distance) {
-  const auto [u, w] = depth(law, distance);
-  return area * law.pressure * (u * u + law.firmness * w * w);
+  const auto [u, w, v] = depth(law, distance);
+  return area * law.pressure * (u * u + law.firmness * w * w + law.hardness * v * v);
 }
 
 double normal_stiffness(const ContactLaw& law, double area, double distance) {
-  const auto [u, w] = depth(law, distance);
-  return 2 * area * law.pressure / law.reach * (u + law.firmness * w);
+  const auto [u, w, v] = depth(law, distance);
+  return 2 * area * law.pressure / law.reach * (u + law.firmness * w + law.hardness * v);
 }
 
 double friction_energy(const ContactLaw& law, const FrictionState& state, const Eigen::Vector3d& x) {

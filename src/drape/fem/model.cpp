@@ -13,16 +13,20 @@ namespace {
 
 constexpr int energy_chunks = 16;
 
-std::vector<ContactEdge> contact_edges(const std::vector<MembraneElement>& triangles) {
+// Cloth bridges where the body is round, and sags deeper at the middle of an edge and of a triangle than at their corners: a
+// quarter of its area is at the vertices, half at the edges, a quarter at the triangles.
+std::vector<ContactSpot> contact_spots(const std::vector<MembraneElement>& triangles, const Eigen::VectorXd& at_vertices) {
+  std::vector<ContactSpot> spots;
+  for (int v = 0; v < static_cast<int>(at_vertices.size()); ++v) spots.push_back({1, {v}, at_vertices(v)});
   std::map<std::array<int, 2>, double> area;
   for (const MembraneElement& element : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = element.vertex[i], b = element.vertex[(i + 1) % 3];
-      area[{std::min(a, b), std::max(a, b)}] += 0.75 * element.area / 3;
+      area[{std::min(a, b), std::max(a, b)}] += element.area / 6;
     }
-  std::vector<ContactEdge> edges;
-  for (const auto& [vertex, sum] : area) edges.push_back({vertex, sum});
-  return edges;
+  for (const auto& [vertex, sum] : area) spots.push_back({2, {vertex[0], vertex[1]}, sum});
+  for (const MembraneElement& element : triangles) spots.push_back({3, element.vertex, element.area / 4});
+  return spots;
 }
 
 }  // namespace
@@ -49,7 +53,7 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
         model.mass(g(corner)) += fabric.area_density * element.layers * element.area / 3;
       model.triangles.push_back(element);
     }
-  model.contact_edges = contact_edges(model.triangles);
+  model.contact_spots = contact_spots(model.triangles, model.contact_area);
   model.cloth = collision_mesh(garment.triangles, static_cast<int>(garment.vertex_count));
   return model;
 }
@@ -114,7 +118,7 @@ double lasting_energy(const Model& model, const Frozen& frozen, const Eigen::Mat
   double sum = 0;
   for (const double p : part) sum += p;
   sum -= gravity * (model.weight_direction.transpose() * x).dot(model.mass);
-  for (const Touch& touch : touches) sum += normal_energy(model.contact, touch.area, touch.body.distance);
+  for (const Touch& touch : touches) sum += normal_energy(model.contact, touch.spot->area, touch.body.distance);
   return sum;
 }
 
@@ -183,8 +187,8 @@ Eigen::Matrix3Xd smooth_gradient(const Model& model, const std::vector<double>* 
   half[0] += half[1];
   half[0] -= gravity * model.weight_direction * model.mass.transpose();
   for (const Touch& touch : touches) {
-    const Eigen::Vector3d push = normal_force(model.contact, touch.area, touch.body.distance) / 2 * touch.body.gradient;
-    for (const int v : touch.vertex) half[0].col(v) -= push;
+    const double share = normal_force(model.contact, touch.spot->area, touch.body.distance) / touch.spot->corners;
+    for (const int v : corners_of(*touch.spot)) half[0].col(v) -= share * touch.body.gradient;
   }
   return std::move(half[0]);
 }

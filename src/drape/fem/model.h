@@ -21,10 +21,12 @@ namespace toile::fem {
 
 constexpr double gravity = 9.81;  // m/s^2, along -Y
 
-// Where an edge of the mesh meets the body: its midpoint stands for `area`.
-struct ContactEdge {
-  std::array<int, 2> vertex{};
-  double area = 0;  // m^2, rest
+// Where the cloth may meet the body: a vertex, the midpoint of an edge or the centre of a triangle, by the number of its
+// corners; it stands for `area`.
+struct ContactSpot {
+  int corners = 1;
+  std::array<int, 3> vertex{};  // the first `corners`
+  double area = 0;              // m^2, rest
 };
 
 struct Model {
@@ -36,9 +38,9 @@ struct Model {
   std::vector<Hinge> hinges;
   std::vector<BendFriction> bend_frictions;  // by hinge
   Eigen::VectorXd mass;                      // kg by vertex
-  Eigen::VectorXd contact_area;              // m^2 by vertex: a quarter of its rest area; the rest is at the edges' midpoints
-  std::vector<ContactEdge> contact_edges;
-  CollisionMesh cloth;  // what collides with itself
+  Eigen::VectorXd contact_area;              // m^2 by vertex: the quarter of its rest area that touches at the vertex itself
+  std::vector<ContactSpot> contact_spots;    // vertices, edges, triangles, each ascending
+  CollisionMesh cloth;                       // what collides with itself
   const Body* body = nullptr;
   Eigen::Vector3d weight_direction = -Eigen::Vector3d::UnitY();
 };

@@ -19,6 +19,7 @@ constexpr double more_stiffening = 4;      // times as much when it is not enoug
 constexpr double less_stiffening = 0.5;    // after a step in full
 constexpr int most_stiffenings = 3;        // in one step
 constexpr double longest_way_out = 10e-3;  // m
+constexpr double rounding_errors = 32;     // of the energy: near rest a step gains less than it can be told by
 constexpr double near_margin = 3e-3;       // m, of movement before the list of near pairs is made anew
 
 // Positions, and what is known there.
@@ -38,14 +39,12 @@ State state_at(const Model& model, const Frozen& frozen, Eigen::Matrix3Xd x) {
 void keep_out(const Model& model, const Eigen::Matrix3Xd& from, double floor, Eigen::Matrix3Xd& to) {
   for (const Touch& touch : touching(model, to)) {
     if (touch.body.distance >= floor) continue;
-    const auto [a, b] = touch.vertex;
-    const double before = model.body->distance.distance((from.col(a) + from.col(b)) / 2);
-    const DistanceSample body = model.body->distance.sample((to.col(a) + to.col(b)) / 2);  // others have moved it since
+    const double before = model.body->distance.distance(place_of(*touch.spot, from));
+    const DistanceSample body = model.body->distance.sample(place_of(*touch.spot, to));  // others have moved it since
     const double in = std::min(before, floor) - body.distance, steepness = body.gradient.squaredNorm();
     if (in <= 0 || steepness < 1e-6) continue;
     const Eigen::Vector3d out = std::min(in, longest_way_out) / steepness * body.gradient;
-    to.col(a) += out;
-    if (a != b) to.col(b) += out;
+    for (const int v : corners_of(*touch.spot)) to.col(v) += out;
   }
 }
 
@@ -53,12 +52,14 @@ void keep_out(const Model& model, const Eigen::Matrix3Xd& from, double floor, Ei
 std::pair<double, State> line_search(const Model& model, const Frozen& frozen, const State& from, const Eigen::Matrix3Xd& step,
                                      double slope, const std::optional<SpringSteps>& springs) {
   const double before = from.lasting + lagged_energy(model, frozen, from.x);
+  const double rounding = rounding_errors * std::numeric_limits<double>::epsilon() * std::abs(before);
   double fraction = 1;
   for (int halvings = 0; halvings < 25; ++halvings, fraction /= 2) {
     Eigen::Matrix3Xd at = from.x + fraction * step;
     if (springs) keep_out(model, from.x, springs->floor, at);
     State to = state_at(model, frozen, std::move(at));
-    if (to.lasting + lagged_energy(model, frozen, to.x) <= before + 1e-4 * fraction * slope) return {fraction, std::move(to)};
+    if (to.lasting + lagged_energy(model, frozen, to.x) <= before + 1e-4 * fraction * slope + rounding)
+      return {fraction, std::move(to)};
   }
   return {0, from};
 }

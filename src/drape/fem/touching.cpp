@@ -10,22 +10,25 @@ constexpr int chunks = 16;
 
 }  // namespace
 
-// Edges bridge where the body is round, and sag deeper than faces: contact is kept at their midpoints as well as at the
-// vertices (weights 3/4 and 1/4).
+std::span<const int> corners_of(const ContactSpot& spot) {
+  return {spot.vertex.data(), static_cast<std::size_t>(spot.corners)};
+}
+
+Eigen::Vector3d place_of(const ContactSpot& spot, const Eigen::Matrix3Xd& x) {
+  const auto& v = spot.vertex;
+  if (spot.corners == 1) return x.col(v[0]);
+  if (spot.corners == 2) return (x.col(v[0]) + x.col(v[1])) / 2;
+  return (x.col(v[0]) + x.col(v[1]) + x.col(v[2])) / 3;
+}
+
 std::vector<Touch> touching(const Model& model, const Eigen::Matrix3Xd& x) {
-  std::vector<std::vector<Touch>> found(2 * chunks);
-  const auto visit = [&](const std::array<int, 2>& vertex, double area, std::vector<Touch>& list) {
-    const Eigen::Vector3d at = (x.col(vertex[0]) + x.col(vertex[1])) / 2;
-    const double distance = model.body->distance.distance(at);
-    if (distance < model.contact.reach) list.push_back({vertex, area, at, {.distance = distance}});
-  };
-  in_ranges(chunks, static_cast<int>(x.cols()), [&](int chunk, int begin, int end) {
-    for (int v = begin; v < end; ++v) visit({v, v}, model.contact_area(v), found[static_cast<std::size_t>(chunk)]);
-  });
-  in_ranges(chunks, static_cast<int>(model.contact_edges.size()), [&](int chunk, int begin, int end) {
-    for (int e = begin; e < end; ++e) {
-      const ContactEdge& edge = model.contact_edges[static_cast<std::size_t>(e)];
-      visit(edge.vertex, edge.area, found[static_cast<std::size_t>(chunks + chunk)]);
+  std::vector<std::vector<Touch>> found(chunks);
+  in_ranges(chunks, static_cast<int>(model.contact_spots.size()), [&](int chunk, int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const ContactSpot& spot = model.contact_spots[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d at = place_of(spot, x);
+      const double distance = model.body->distance.distance(at);
+      if (distance < model.contact.reach) found[static_cast<std::size_t>(chunk)].push_back({&spot, at, {.distance = distance}});
     }
   });
   std::vector<Touch> touches;
@@ -51,7 +54,8 @@ std::vector<Touch> touching_sampled(const Model& model, const Eigen::Matrix3Xd& 
 Eigen::VectorXd normal_forces(const Model& model, const std::vector<Touch>& touches) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(model.mass.size());
   for (const Touch& touch : touches)
-    for (const int v : touch.vertex) forces(v) += normal_force(model.contact, touch.area, touch.body.distance) / 2;
+    for (const int v : corners_of(*touch.spot))
+      forces(v) += normal_force(model.contact, touch.spot->area, touch.body.distance) / touch.spot->corners;
   return forces;
 }
 
