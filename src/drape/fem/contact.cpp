@@ -13,7 +13,7 @@ struct Depth {
 
 Depth depth(const ContactLaw& law, double distance) {
   const double u = (law.reach - distance) / law.reach;
-  return {std::max(u, 0.0), std::max(u - .5, 0.0), std::max(u - 1, 0.0)};
+  return {std::max(u, 0.0), std::max(u - .5, 0.0), std::max(u - 1.25, 0.0)};
 }
 
 Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {

@@ -11,14 +11,14 @@ namespace toile::fem {
 struct ContactLaw {
   double pressure = 1500;  // Pa; quadratic from zero at `reach`
   double firmness = 60;    // times that once the cloth is pressed closer than half of `reach`: stiff cloth over a sharp edge
-  double hardness = 3000;  // times that once it is pressed into the body: cloth much too tight
+  double hardness = 2000;  // times that once it is pressed a quarter of `reach` into the body: cloth much too tight
   double reach = 1e-3;     // m
   double slip = 0.2e-3;    // m, over which friction builds up; far below it the cloth sticks
   double friction = 0.4;   // Coulomb coefficient
 };
 
 // Normal contact at distance d: energy area * p0 * reach / 3 * (u^3 + firmness * w^3 + hardness * v^3) with u = 1 - d / reach,
-// w = u - 1/2, v = u - 1, each where positive.
+// w = u - 1/2, v = u - 5/4, each where positive.
 double normal_energy(const ContactLaw&, double area, double distance);
 double normal_force(const ContactLaw&, double area, double distance);      // N, >= 0
 double normal_stiffness(const ContactLaw&, double area, double distance);  // N/m, >= 0
