@@ -214,6 +214,10 @@ Loaded<std::vector<Island>> islands_of(const ObjFaces& faces, const std::string&
     folds = part(*sheet, faces, place, report);
   }
   if (!report.ok()) return loaded;
+  if (sheet->triangles.empty()) {
+    report.error("obj.no-faces", place, "none of its faces has three different corners", "export it again");
+    return loaded;
+  }
   if (sheet->triangles.size() > faces.polygons.size())
     report.note("obj.polygons-split", place, "polygons were split into triangles");
 
