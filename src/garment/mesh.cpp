@@ -1,9 +1,30 @@
 #include "garment/mesh.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <stdexcept>
 
 namespace toile {
+namespace {
+
+// Eigen compares only what is of one size.
+template <class Matrix>
+bool same(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
+
+}  // namespace
+
+bool PanelMesh::operator==(const PanelMesh& other) const {
+  return piece == other.piece && copy == other.copy && mirrored == other.mirrored && name == other.name &&
+         same(rest, other.rest) && same(triangles, other.triangles) && boundary == other.boundary && warp == other.warp &&
+         same(layers, other.layers);
+}
+
+bool GarmentMesh::operator==(const GarmentMesh& other) const {
+  return panels == other.panels && vertex_count == other.vertex_count && same(triangles, other.triangles) &&
+         std::equal(welded.begin(), welded.end(), other.welded.begin(), other.welded.end(), same<Eigen::VectorXi>);
+}
 
 RestShape rest_shape(const GarmentMesh& garment) {
   RestShape rest;

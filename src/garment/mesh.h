@@ -30,7 +30,7 @@ struct PanelMesh {
   Eigen::Vector2d warp = Eigen::Vector2d::UnitY();  // unit grain direction in `rest`
   Eigen::VectorXd
       layers;  // by triangle: layers of cloth, 2 where a hem is turned up, between at its edge; empty: one everywhere
-  bool operator==(const PanelMesh&) const = default;
+  bool operator==(const PanelMesh&) const;  // of other sizes: false
 };
 
 // Panels welded along their seams. Garment triangle i is the i-th triangle of the panels in order.
@@ -39,7 +39,7 @@ struct GarmentMesh {
   std::vector<Eigen::VectorXi> welded;  // [panel][panel vertex] -> garment vertex
   Eigen::Matrix3Xi triangles;           // garment vertices
   int vertex_count = 0;
-  bool operator==(const GarmentMesh&) const = default;
+  bool operator==(const GarmentMesh&) const;
 };
 
 // A rest shape for every panel of a garment: what the adjustment changes (X in the paper), same order as `panels`.

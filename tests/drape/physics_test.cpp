@@ -153,6 +153,20 @@ TEST_F(SheetOnBall, NoSmallMoveAwayFromEquilibriumLowersTheEnergy) {
   }
 }
 
+// Between three corners that touch a round body the middle of the triangle would sag into it: by more than the edges do.
+TEST(CoarseCloth, DoesNotSinkIntoARoundBodyBetweenItsVertices) {
+  const Body body = ball(.1);
+  const GarmentMesh sheet = crossed_square(.12, 3);
+  Fabric heavy = isotropic;
+  heavy.area_density = 1;
+  const Eigen::Matrix3Xd start = level(sheet, 1.1005);
+  const Drape drape =
+      find_simulator("fem").drape({.garment = sheet, .start = start, .body = body, .fabric = heavy, .tolerance = 1e-4});
+  EXPECT_TRUE(drape.settled) << drape.residual;
+  EXPECT_LT(drape.positions.row(1).minCoeff(), 1.09);
+  EXPECT_LT(drape.max_penetration, .1e-3);
+}
+
 TEST(WeightlessCloth, FarFromTheBodyStaysWhereItIs) {
   const Body body = ball();
   const GarmentMesh sheet = crossed_square(.2, 4);

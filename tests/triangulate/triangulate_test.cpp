@@ -131,5 +131,16 @@ TEST(Triangulate, PassesOnWhatIsWrongWithAPattern) {
   EXPECT_EQ(refusal([] { triangulate(gored_skirt(), {15e-6, 20}); }).code, "mesh.edge-length-too-short");
 }
 
+TEST(GarmentMesh, IsEqualOnlyToOneOfTheSameSizesAndValues) {
+  const Pattern pattern = gored_skirt();
+  const GarmentMesh coarse = sew(pattern, triangulate(pattern, {.edge_length = .05}));
+  const GarmentMesh fine = sew(pattern, triangulate(pattern, {.edge_length = .03}));
+  GarmentMesh moved = coarse;
+  moved.panels[0].rest(0, 0) += 1e-9;
+  EXPECT_EQ(coarse, GarmentMesh(coarse));
+  EXPECT_FALSE(coarse == fine);
+  EXPECT_FALSE(coarse == moved);
+}
+
 }  // namespace
 }  // namespace toile
