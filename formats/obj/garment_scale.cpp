@@ -20,6 +20,7 @@ struct Unit {
 constexpr std::array units_of_vertices{Unit{"m", 1}, Unit{"cm", 1e-2}, Unit{"mm", 1e-3}};
 constexpr std::array units_of_texture{Unit{"m", 1}, Unit{"cm", 1e-2}, Unit{"mm", 1e-3}, Unit{"inch", 0.0254}};
 constexpr double smallest_garment = .15, largest_garment = 3;  // m
+constexpr double longest_given = 100;                          // m, in a unit that the user gives
 constexpr double one_unit = .03;                               // share by which cloth may have stretched
 constexpr double uneven = .1, own_scale = .15, stretched = .08, not_flat = .25;
 
@@ -126,6 +127,11 @@ std::optional<FileUnits> garment_units(const Eigen::Matrix3Xd& positions, std::o
       report.error("obj.units", place, words, "say which unit it is: --units m, cm, mm or in", Fault::ambiguous);
       return std::nullopt;
     }
+  }
+  if (!(size * units->in_metres <= longest_given)) {
+    report.error("obj.units", place, "the garment would be " + in_mm(size * units->in_metres, 0) + " large in the unit given",
+                 "say which unit it is: --units m, cm, mm or in");
+    return std::nullopt;
   }
   report.note("obj.units", place,
               "the garment is " + in_mm(size * units->in_metres, 0) + " large in " +

@@ -9,6 +9,8 @@
 namespace toile {
 namespace {
 
+constexpr double farthest = 1e9;  // of a coordinate, in the file's unit
+
 using Words = std::vector<std::string_view>;
 
 Words fields(std::string_view line) {
@@ -104,6 +106,10 @@ class LineCheck {
         return say(with_texture_ ? "obj.not-finite" : "body.not-finite",
                    "the " + std::string(words[0] == "v" ? "vertex" : "texture coordinate") + " is not finite: '" +
                        std::string(words[i]) + "'",
+                   "export it again; a modifier or a simulation may have blown it up");
+      if (std::abs(*value) > farthest)
+        return say(with_texture_ ? "obj.too-far" : "body.too-far",
+                   "'" + std::string(words[i]) + "' is beyond any garment or body in any unit",
                    "export it again; a modifier or a simulation may have blown it up");
     }
   }

@@ -22,9 +22,9 @@ struct ObjLines {
   std::vector<long> line_of_face;
 };
 
-// Errors carry PLACE:LINE: "body.not-finite" ("obj.not-finite" with texture) for nan or inf, "obj.not-a-number",
-// "obj.bad-face", "obj.no-such-vertex", "obj.no-faces". `with_texture`: texture coordinates (vt) are needed and looked at too,
-// with "obj.no-vt" naming the first face that has none.
+// Errors carry PLACE:LINE: "body.not-finite" ("obj.not-finite" with texture) for nan or inf, "body.too-far" ("obj.too-far")
+// beyond 1e9, "obj.not-a-number", "obj.bad-face", "obj.no-such-vertex", "obj.no-faces". `with_texture`: texture coordinates
+// (vt) are needed and looked at too, with "obj.no-vt" naming the first face that has none.
 ObjLines check_obj_lines(const std::string& text, const std::string& place, bool with_texture, Report& report);
 
 }  // namespace toile

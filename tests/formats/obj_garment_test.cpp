@@ -241,6 +241,9 @@ TEST(ObjGarment, NamesWhatIsMissingOrBroken) {
   EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1 3 4\n"), "obj.no-vt");
   EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"), "obj.no-such-vertex");
   EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 nan\nvt 1 1\nf 1/1 2/2 3/3\n"), "obj.not-finite");
+  EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 1e80\nvt 1 1\nf 1/1 2/2 3/3\n"), "obj.too-far");
+  EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3/1/1\n"), "obj.bad-face");
+  EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 1/1\n"), "obj.no-faces");
   EXPECT_EQ(error_of(square + "vt 0 0\nf 1/1 2/1 3/1\n"), "obj.degenerate-island");
   // Three faces at one edge.
   EXPECT_EQ(error_of(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 3/3 1/1 2/2\n"),
