@@ -1,20 +1,22 @@
 #pragma once
 // The linear system of one style iteration, with hard constraints eliminated and its factorisation kept.
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <memory>
 #include <vector>
 
+#include "sparse/block_matrix.h"
 #include "style/hard_constraints.h"
 #include "style/soft_terms.h"
 #include "style/source_shape.h"
+#include "style/style_memory.h"
 
 namespace toile {
 
 class StyleSystem {
  public:
-  // Keeps references: both arguments must live as long as the system.
-  StyleSystem(const std::vector<SourceTriangle>& triangles, const HardConstraints& constraints, Eigen::Index vertex_count);
+  // Keeps a reference to `triangles`. `memory` of earlier systems saves work.
+  StyleSystem(const std::vector<SourceTriangle>& triangles, const HardConstraints& constraints, Eigen::Index vertex_count,
+              StyleMemory* memory = nullptr);
 
   // Factors the cotangent Laplacian (kron I3) with these soft terms. Throws std::invalid_argument when a part of the garment is
   // not constrained.
@@ -27,23 +29,27 @@ class StyleSystem {
 
   // Triangles with a corner that can move, by index.
   const std::vector<std::size_t>& moving() const { return moving_; }
-  bool anything_free() const { return freedoms_ > 0; }
 
  private:
+  // A vertex that can move: x = fixed + frame * y. A vertex with two freedoms has a third unknown that moves nothing.
+  struct Mover {
+    Eigen::Index vertex = 0;
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  };
   template <class MapOf>
   Eigen::Matrix3Xd solve_for(const MapOf& wanted_map) const;
+  void find_movers(const HardConstraints& constraints);
+  void assemble_laplacian(StyleMemory& memory);
 
-  Eigen::Matrix3Xd fixed_;              // the constrained part of every vertex
-  std::vector<VertexFreedom> freedom_;  // by vertex
-  std::vector<Eigen::Index> first_;     // first unknown of every vertex
-  Eigen::Index freedoms_ = 0;
-  std::vector<std::size_t> moving_;
   const std::vector<SourceTriangle>& triangles_;
-  Eigen::SparseMatrix<double> laplacian_;  // lower triangle, over the unknowns
-  Eigen::Matrix3Xd fixed_pull_;            // Laplacian times fixed_
+  Eigen::Matrix3Xd fixed_;  // the constrained part of every vertex
+  std::vector<Mover> movers_;
+  std::vector<int> mover_of_;  // by vertex; -1: held
+  std::vector<std::size_t> moving_;
+  Eigen::Matrix3Xd fixed_pull_;  // Laplacian times fixed_
   std::vector<SoftTerm> soft_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool analysed_ = false;
+  std::shared_ptr<BlockMatrix> matrix_;
+  std::vector<double> laplacian_;  // its values without soft terms
 };
 
 }  // namespace toile

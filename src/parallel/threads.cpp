@@ -1,4 +1,4 @@
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
 
 #include <omp.h>
 
@@ -8,9 +8,9 @@
 #include <mutex>
 #include <thread>
 
-#include "body/in_chunks.h"
+#include "parallel/in_chunks.h"
 
-namespace toile::fem {
+namespace toile {
 
 int thread_count() { return std::clamp(omp_get_max_threads(), 1, 8); }
 
@@ -65,4 +65,4 @@ void in_order(const std::vector<std::vector<int>>& before, const std::function<v
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace toile::fem
+}  // namespace toile

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace toile::fem {
+namespace toile {
 
 int thread_count();  // 1..8
 
@@ -14,4 +14,4 @@ void in_ranges(int chunks, int count, const std::function<void(int chunk, int be
 // Every task once, after all of `before[task]`.
 void in_order(const std::vector<std::vector<int>>& before, const std::function<void(int task)>& work);
 
-}  // namespace toile::fem
+}  // namespace toile

@@ -1,17 +1,18 @@
-#include "drape/fem/sparse_spd.h"
+#include "sparse/block_matrix.h"
 
 #include <cblas.h>
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 
-#include "drape/fem/elimination.h"
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
+#include "sparse/elimination.h"
 
 extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* lda, int* info);
 
-namespace toile::fem {
+namespace toile {
 namespace {
 
 // Of the matrix, where it goes in a supernode's panel.
@@ -233,6 +234,17 @@ bool BlockMatrix::factorise() {
   return definite;
 }
 
+double BlockMatrix::pivot_ratio() const {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Panel& panel : state_->panels)
+    for (int k = 0; k < panel.columns; ++k) {
+      const double pivot = panel.factor[static_cast<std::size_t>(k) * static_cast<std::size_t>(panel.rows + 1)];
+      least = std::min(least, pivot * pivot);
+      most = std::max(most, pivot * pivot);
+    }
+  return most > 0 ? least / most : 0;
+}
+
 Eigen::Matrix3Xd BlockMatrix::solve(const Eigen::Matrix3Xd& b) const {
   State& s = *state_;
   Eigen::Matrix3Xd x(3, b.cols());
@@ -264,4 +276,4 @@ Eigen::Matrix3Xd BlockMatrix::multiply(const Eigen::Matrix3Xd& y) const {
   return product;
 }
 
-}  // namespace toile::fem
+}  // namespace toile
