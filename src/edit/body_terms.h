@@ -33,6 +33,8 @@ class BodyTerms {
   const std::vector<SoftTerm>& proportion() const { return wishes_.proportion; }
   // E_fit with the skin that is under each vertex at `x`.
   std::vector<SoftTerm> fit(const Eigen::Matrix3Xd& x) const;
+  // As after a solve with `other`, what it had to push is pushed as hard.
+  void go_on_from(const BodyTerms& other) { pushes_ = other.pushes_; }
   // For solve_style, which must not outlive this: all of them, contact from the first round on; one that is pushed again and
   // again is pushed harder.
   SoftTermsAt all();
