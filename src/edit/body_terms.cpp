@@ -12,6 +12,7 @@ namespace toile {
 namespace {
 
 constexpr double most_wanted_gap = 2e-3;  // m
+constexpr double skin_slack = 1e-3;       // m, that skin under a vertex may slide farther than twice the vertex
 
 // The terms of every vertex in order, found by several threads: `term_of` gives none or one.
 template <class TermOf>
@@ -48,15 +49,41 @@ BodyTerms::BodyTerms(const Body& body, const Eigen::VectorXd& areas, BodyWishes 
       wishes_(std::move(wishes)),
       pushes_(wishes_.moves.size(), 0) {}
 
+BodyTerms::SkinUnder BodyTerms::skin_under(Eigen::Index v, const Eigen::Vector3d& at) const {
+  const auto i = static_cast<std::size_t>(v);
+  if (!kept_skin_.empty() && !kept_skin_[i].any) return {};
+  const int limb = wishes_.limb[i];
+  const RelativePlace now = relative_place(body_, axes_[static_cast<std::size_t>(limb)], limb, at);
+  SkinUnder under{now.through_skin, {now.on_skin, now.outward}, at};
+  if (kept_skin_.empty()) return under;
+  const SkinUnder& kept = kept_skin_[i];
+  const double most = 2 * (at - kept.vertex).norm() + skin_slack;
+  return under.any && (under.skin.at - kept.skin.at).norm() <= most ? under : kept;
+}
+
+void BodyTerms::keep_to_skin_at(const Eigen::Matrix3Xd& x) {
+  kept_skin_.clear();
+  std::vector<SkinUnder> found(static_cast<std::size_t>(x.cols()));
+  in_ranges(8, static_cast<int>(x.cols()), [&](int, int begin, int end) {
+    for (int v = begin; v < end; ++v)
+      if (wishes_.release(v) > 0) found[static_cast<std::size_t>(v)] = skin_under(v, x.col(v));
+  });
+  kept_skin_ = std::move(found);
+}
+
+void BodyTerms::go_on_from(const BodyTerms& other) {
+  kept_skin_ = other.kept_skin_;
+  pushes_ = other.pushes_;
+}
+
 std::vector<SoftTerm> BodyTerms::fit(const Eigen::Matrix3Xd& x) const {
   return terms_of(x.cols(), [&](int v) -> std::optional<SoftTerm> {
     if (!(wishes_.release(v) > 0)) return std::nullopt;
     const double keep = wishes_.keep ? wishes_.keep(v, x.col(v)) : 1;
     if (!(keep > 0)) return std::nullopt;
-    const int limb = wishes_.limb[static_cast<std::size_t>(v)];
-    const RelativePlace now = relative_place(body_, axes_[static_cast<std::size_t>(limb)], limb, x.col(v));
-    if (!now.through_skin) return std::nullopt;
-    return fit_term(v, {now.on_skin, now.outward}, wishes_.offset(v), wishes_.release(v) * keep, areas_(v), weights_);
+    const SkinUnder now = skin_under(v, x.col(v));
+    if (!now.any) return std::nullopt;
+    return fit_term(v, now.skin, wishes_.offset(v), wishes_.release(v) * keep, areas_(v), weights_);
   });
 }
 

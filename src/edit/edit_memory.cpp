@@ -16,8 +16,12 @@ const std::vector<SourceTriangle>& source_shape(const EditInput& input, EditMemo
   return memory.once("shape", [&] { return source_triangles(input.drape, input.garment.triangles); });
 }
 
+const LevelMesh& garment_edges(const EditInput& input, EditMemory& memory) {
+  return memory.once("edges", [&] { return level_mesh(input.garment.triangles); });
+}
+
 const VertexNeighbours& garment_neighbours(const EditInput& input, EditMemory& memory) {
-  return memory.once("neighbours", [&] { return neighbours_of(level_mesh(input.garment.triangles), input.drape.cols()); });
+  return memory.once("neighbours", [&] { return neighbours_of(garment_edges(input, memory), input.drape.cols()); });
 }
 
 const std::vector<VertexLoop>& garment_boundary(const EditInput& input, EditMemory& memory) {

@@ -44,6 +44,7 @@ class EditMemory {
 const ContactRegion& source_contact(const EditInput& input, EditMemory& memory);
 const std::vector<RelativePlace>& source_places(const EditInput& input, EditMemory& memory);
 const std::vector<SourceTriangle>& source_shape(const EditInput& input, EditMemory& memory);
+const LevelMesh& garment_edges(const EditInput& input, EditMemory& memory);
 const VertexNeighbours& garment_neighbours(const EditInput& input, EditMemory& memory);
 const std::vector<VertexLoop>& garment_boundary(const EditInput& input, EditMemory& memory);
 

@@ -75,10 +75,12 @@ Styled restyled(const Restyling& restyling, EditMemory& memory, const std::strin
   memory.once(name, [&] {
     const auto chosen = std::find_if(attempts.begin(), attempts.end(),
                                      [&](const Attempt& attempt) { return attempt.solution.positions == best.positions; });
-    BodyTerms terms = chosen->terms;
-    return Followed{
-        style_reference(chosen->solution, restyling.triangles, restyling.hard, terms.all(), chosen->options, &memory.style()),
-        chosen->terms};
+    Followed followed{{}, chosen->terms};
+    followed.terms.keep_to_skin_at(best.positions);
+    BodyTerms terms = followed.terms;
+    followed.style =
+        style_reference(chosen->solution, restyling.triangles, restyling.hard, terms.all(), chosen->options, &memory.style());
+    return followed;
   });
   return best;
 }

@@ -56,7 +56,7 @@ StyleSolution follow_style(const StyleReference& reference, const Eigen::Matrix3
   solution.initial = system.solve_near(guess);
   StyleIteration iteration(triangles, system, solution.initial, reference.options);
   iteration.go_to(reference.positions + solution.initial - reference.initial);
-  while (!solution.settled && solution.rounds < reference.options.most_rounds) {
+  while (!solution.settled && solution.rounds < reference.options.most_steps) {
     ++solution.rounds;
     if (soft_terms) solution.soft = soft_terms(iteration.x(), solution.rounds);
     solution.settled = iteration.step_directly(solution.soft, reference.imbalance) < reference.options.tolerance;

@@ -21,6 +21,7 @@ struct StyleOptions {
   int most_iterations = 30;   // before the first look at the body
   int round_iterations = 10;  // after every further one
   int most_rounds = 6;
+  int most_steps = 4;  // of follow_style
 };
 
 // Soft terms for a shape; asked again in every round, because skin slides under a moving garment.

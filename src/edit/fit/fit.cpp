@@ -58,8 +58,9 @@ FitRange range_of(const ReadArguments& read) {
 }
 
 // Share of the area the garment hangs by that the target lifts off the body.
-double lifted_share(const EditInput& input, const ContactRegion& contact, const Eigen::Matrix3Xd& positions) {
-  const Eigen::VectorXd areas = vertex_areas(source_triangles(input.drape, input.garment.triangles), positions.cols());
+double lifted_share(const EditInput& input, EditMemory& memory, const Eigen::Matrix3Xd& positions) {
+  const ContactRegion& contact = source_contact(input, memory);
+  const Eigen::VectorXd areas = vertex_areas(source_shape(input, memory), positions.cols());
   double lifted = 0, all = 0;
   for (Eigen::Index v = 0; v < positions.cols(); ++v) {
     if (!contact.bearing[static_cast<std::size_t>(v)]) continue;
@@ -78,7 +79,7 @@ void describe_ease(Report& report, const std::string& name, const LoopEase& befo
   report.note("edit.ease", place, text);
 }
 
-Target target_of(const EditInput& input, const ContactRegion& contact, Styled&& styled, Report&& report) {
+Target target_of(const EditInput& input, EditMemory& memory, Styled&& styled, Report&& report) {
   if (!styled.deviation.flipped.empty())
     throw BadInput(
         {"edit.flipped", Severity::error, place,
@@ -88,7 +89,7 @@ Target target_of(const EditInput& input, const ContactRegion& contact, Styled&& 
   target.report = std::move(report);
   describe_style(target.report, place, styled.deviation);
   describe_end(target.report, place, styled.deepest, styled.settled);
-  if (lifted_share(input, contact, styled.positions) > 0.5)
+  if (lifted_share(input, memory, styled.positions) > 0.5)
     target.report.warn("edit.may-slip", place, "most of what the garment hangs by no longer lies on the body",
                        "loosen another part, or name an anchor where it hangs, such as \"waist\"");
   target.garment = input.garment;
@@ -163,7 +164,7 @@ Target fit_all(const EditInput& input, const ReadArguments& read, EditMemory& me
   }
   std::set<int> anchors;
   for (const VertexLoop& loop : stays) anchors.insert(loop.begin(), loop.end());
-  Target target = target_of(input, source_contact(input, memory), std::move(loosened.styled), std::move(report));
+  Target target = target_of(input, memory, std::move(loosened.styled), std::move(report));
   target.anchor.assign(anchors.begin(), anchors.end());
   return target;
 }
@@ -204,7 +205,7 @@ Target apply_fit(const EditInput& input, const EditArguments& arguments) {
   for (const FitLoop& fit : fits)
     describe_ease(report, name, loop_ease(input.body.form, input.drape, fit.loop, fit.axis),
                   loop_ease(input.body.form, styled.positions, fit.loop, fit.axis));
-  Target target = target_of(input, contact, std::move(styled), std::move(report));
+  Target target = target_of(input, memory, std::move(styled), std::move(report));
   target.held.assign(held.begin(), held.end());
   target.anchor.assign(anchor.begin(), anchor.end());
   return target;

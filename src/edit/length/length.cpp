@@ -58,8 +58,7 @@ Target apply_length(const EditInput& input, const EditArguments& arguments) {
   EditMemory own;
   EditMemory& memory = input.memory ? *input.memory : own;
   const ContactRegion& contact = source_contact(input, memory);
-  const std::vector<RelativePlace>& places = source_places(input, memory);
-  const std::vector<Handle> handles = make_handles(input, name, places, contact, read.names.at("anchor"), by);
+  const std::vector<Handle> handles = make_handles(input, name, read.names.at("anchor"), by, memory);
   const Eigen::VectorXd areas = vertex_areas(source_shape(input, memory), input.drape.cols());
   refuse_impossible(input, handles, contact, areas, by);
 
