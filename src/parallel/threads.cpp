@@ -21,7 +21,7 @@ void in_ranges(int chunks, int count, const std::function<void(int, int, int)>& 
   });
 }
 
-void in_order(const std::vector<std::vector<int>>& before, const std::function<void(int)>& work) {
+void in_order(const std::vector<std::vector<int>>& before, const std::function<void(int)>& work, int threads) {
   const int count = static_cast<int>(before.size());
   std::vector<int> waiting(before.size());
   std::vector<std::vector<int>> after(before.size());
@@ -59,7 +59,7 @@ void in_order(const std::vector<std::vector<int>>& before, const std::function<v
     }
   };
   std::vector<std::thread> helpers;
-  for (int t = 1; t < std::min(thread_count(), count); ++t) helpers.emplace_back(run);
+  for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(run);
   run();
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

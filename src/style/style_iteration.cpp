@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "parallel/threads.h"
+
 namespace toile {
 
 StyleIteration::StyleIteration(const std::vector<SourceTriangle>& triangles, StyleSystem& system,
@@ -35,7 +37,11 @@ double StyleIteration::move_to(const Eigen::Matrix3Xd& next) {
 }
 
 double StyleIteration::step() {
-  for (const std::size_t t : system_.moving()) maps_[t] = drawn_to(t);
+  const std::vector<std::size_t>& moving = system_.moving();
+  in_ranges(8, static_cast<int>(moving.size()), [&](int, int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      maps_[moving[static_cast<std::size_t>(i)]] = drawn_to(moving[static_cast<std::size_t>(i)]);
+  });
   return move_to(system_.solve(maps_));
 }
 

@@ -62,7 +62,8 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
     handle.level = level_of(loops, input.drape, loop, handle.axis);
     if (named.level) named = named_loops(anchor, anchor_place, side_of(named, -handle.axis));
 
-    const AutomaticAnchor found = automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by);
+    const AutomaticAnchor found =
+        automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by, memory);
     handle.tight_edge = found.tight_edge;
     if (automatic && !found.ring.empty()) named.loops.push_back(found.ring);
 
