@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "body/grid_winding.h"
-#include "body/in_chunks.h"
 #include "body/spline_grid.h"
 #include "body/triangle_tree.h"
+#include "parallel/in_chunks.h"
 
 namespace toile {
 namespace {

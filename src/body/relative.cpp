@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "body/coherent_limbs.h"
+#include "parallel/threads.h"
 
 namespace toile {
 namespace {
@@ -172,13 +173,14 @@ std::vector<RelativePlace> relative_places(const Body& body, const Eigen::Matrix
     throw std::invalid_argument("relative_places: a triangle names a vertex that is not there");
   const std::vector<LimbAxis> axes = limb_axes(body.form);
   Eigen::MatrixXd cost(static_cast<Eigen::Index>(axes.size()), positions.cols());
-  std::vector<RelativePlace> places;
-  places.reserve(static_cast<std::size_t>(positions.cols()));
-  for (Eigen::Index v = 0; v < positions.cols(); ++v) {
-    const Judged judged = judge(body, axes, positions.col(v), limb_disagreement);
-    cost.col(v) = Eigen::Map<const Eigen::VectorXd>(judged.cost.data(), cost.rows());
-    places.push_back(judged.best);
-  }
+  std::vector<RelativePlace> places(static_cast<std::size_t>(positions.cols()));
+  in_ranges(16, static_cast<int>(positions.cols()), [&](int, int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      const Judged judged = judge(body, axes, positions.col(v), limb_disagreement);
+      cost.col(v) = Eigen::Map<const Eigen::VectorXd>(judged.cost.data(), cost.rows());
+      places[static_cast<std::size_t>(v)] = judged.best;
+    }
+  });
   const std::vector<int> limbs = coherent_limbs(body.form, axes, cost, positions, triangles);
   for (std::size_t v = 0; v < limbs.size(); ++v)
     if (limbs[v] != places[v].limb)

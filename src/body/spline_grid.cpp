@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "body/in_chunks.h"
+#include "parallel/in_chunks.h"
 
 namespace toile {
 namespace {

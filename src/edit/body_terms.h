@@ -33,11 +33,22 @@ class BodyTerms {
   const std::vector<SoftTerm>& proportion() const { return wishes_.proportion; }
   // E_fit with the skin that is under each vertex at `x`.
   std::vector<SoftTerm> fit(const Eigen::Matrix3Xd& x) const;
+  // For a shape near `x`: from now on only vertices that have skin under them there are asked to keep their distance, and to
+  // the same part of it. Where a ray passes between the legs by a hair, skin would come and go otherwise.
+  void keep_to_skin_at(const Eigen::Matrix3Xd& x);
+  // As after a solve with `other`: the same skin, and what had to be pushed is pushed as hard.
+  void go_on_from(const BodyTerms& other);
   // For solve_style, which must not outlive this: all of them, contact from the first round on; one that is pushed again and
   // again is pushed harder.
   SoftTermsAt all();
 
  private:
+  struct SkinUnder {
+    bool any = false;
+    SkinPlace skin;
+    Eigen::Vector3d vertex;  // where it was then
+  };
+  SkinUnder skin_under(Eigen::Index v, const Eigen::Vector3d& at) const;
   std::vector<SoftTerm> contact(const Eigen::Matrix3Xd& x);
 
   const Body& body_;
@@ -45,7 +56,8 @@ class BodyTerms {
   StyleWeights weights_;
   Eigen::VectorXd areas_;
   BodyWishes wishes_;
-  std::vector<int> pushes_;  // rounds in which the vertex was found too near the body
+  std::vector<SkinUnder> kept_skin_;  // by vertex; empty: none is kept to
+  std::vector<int> pushes_;           // rounds in which the vertex was found too near the body
 };
 
 }  // namespace toile

@@ -46,6 +46,8 @@ struct WornGarment {
 using FindGarment =
     std::function<std::shared_ptr<const WornGarment>(const std::string& file, const Body& body, const std::string& place)>;
 
+class EditMemory;
+
 struct EditInput {
   const Pattern& pattern;
   const GarmentMesh& garment;
@@ -53,6 +55,7 @@ struct EditInput {
   const Body& body;
   FindBody find_body = {};        // for operations that name another body; without it they are refused
   FindGarment find_garment = {};  // likewise another garment
+  EditMemory* memory = nullptr;   // of earlier edits of the same input (edit_session.h)
 };
 
 using EditArguments = std::map<std::string, std::string>;  // as written: {"loop", "hem"}, {"by", "-10 cm"}

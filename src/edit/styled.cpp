@@ -4,6 +4,15 @@
 #include <utility>
 
 namespace toile {
+namespace {
+
+// Where to go on from: a solution and the terms it ended with.
+struct Followed {
+  StyleReference style;
+  BodyTerms terms;
+};
+
+}  // namespace
 
 Styled styled(const Body& body, const BodyTerms& terms, const std::vector<SourceTriangle>& reference,
               const Eigen::Matrix3Xd& source, const Eigen::VectorXd& gap, const Eigen::Matrix3Xd& initial,
@@ -34,6 +43,45 @@ Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve
     if (whole || best.positions.size() == 0) best = std::move(result);
     if (enough) break;
   }
+  return best;
+}
+
+Styled restyled(const Restyling& restyling, EditMemory& memory, const std::string& name) {
+  const auto judged = [&](const BodyTerms& terms, const StyleSolution& solution) {
+    return styled(restyling.body, terms, restyling.triangles, restyling.source, restyling.gap, solution.initial, solution);
+  };
+  if (const Followed* before = memory.known<Followed>(name)) {
+    BodyTerms terms = restyling.terms;
+    terms.go_on_from(before->terms);
+    const Styled followed = judged(
+        terms, follow_style(before->style, restyling.guess, restyling.triangles, restyling.hard, terms.all(), &memory.style()));
+    if (followed.deviation.flipped.empty()) return followed;
+  }
+  struct Attempt {
+    StyleOptions options;
+    StyleSolution solution;
+    BodyTerms terms;
+  };
+  std::vector<Attempt> attempts;
+  const Styled best = with_weakest_pull([&](const StyleOptions& options) {
+    BodyTerms terms = restyling.terms;
+    StyleSolution solution =
+        solve_style(restyling.guess, restyling.triangles, restyling.hard, terms.all(), options, &memory.style());
+    const Styled result = judged(terms, solution);
+    attempts.push_back({options, std::move(solution), std::move(terms)});
+    return result;
+  });
+  if (!memory.lasts() || !best.deviation.flipped.empty()) return best;
+  memory.once(name, [&] {
+    const auto chosen = std::find_if(attempts.begin(), attempts.end(),
+                                     [&](const Attempt& attempt) { return attempt.solution.positions == best.positions; });
+    Followed followed{{}, chosen->terms};
+    followed.terms.keep_to_skin_at(best.positions);
+    BodyTerms terms = followed.terms;
+    followed.style =
+        style_reference(chosen->solution, restyling.triangles, restyling.hard, terms.all(), chosen->options, &memory.style());
+    return followed;
+  });
   return best;
 }
 

@@ -2,9 +2,11 @@
 // A shape the style energy was solved for, judged against its source.
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "edit/body_terms.h"
+#include "edit/edit_memory.h"
 #include "garment/target.h"
 #include "style/normal_deviation.h"
 
@@ -26,5 +28,20 @@ Styled styled(const Body& body, const BodyTerms& terms, const std::vector<Source
 // What `solve` gives for the weakest pull towards the initial guess with which no triangle turns over and the solve settles;
 // failing that a stronger one with which none turns over, failing that the weakest.
 Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve);
+
+// A source to be given another shape; `gap` as above.
+struct Restyling {
+  const Body& body;
+  const Eigen::Matrix3Xd& source;
+  const std::vector<SourceTriangle>& triangles;
+  const Eigen::VectorXd& gap;
+  Eigen::Matrix3Xd guess;
+  HardConstraints hard;
+  BodyTerms terms;
+};
+
+// With the weakest pull; where the memory knows of an earlier restyling of this `name`, by following its solution, if that
+// turns no triangle over. The name says all but amounts.
+Styled restyled(const Restyling& restyling, EditMemory& memory, const std::string& name);
 
 }  // namespace toile

@@ -49,8 +49,8 @@ Eigen::Matrix2d plane_map_of(const SourceTriangle& triangle, const Eigen::Matrix
 }
 
 Eigen::Vector2d signed_singular_values(const Eigen::Matrix2d& map) {
-  const double sum = std::hypot(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1));
-  const double difference = std::hypot(map(0, 0) - map(1, 1), map(1, 0) + map(0, 1));
+  const double sum = Eigen::Vector2d(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1)).norm();
+  const double difference = Eigen::Vector2d(map(0, 0) - map(1, 1), map(1, 0) + map(0, 1)).norm();
   return {(sum + difference) / 2, (sum - difference) / 2};
 }
 

@@ -1,69 +1,68 @@
 #include "style/style_solve.h"
 
-#include <algorithm>
-
+#include "style/style_iteration.h"
 #include "style/style_system.h"
 
 namespace toile {
-namespace {
-
-struct MapBounds {
-  double least, most;
-};
-
-double largest_move(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
-  return (to - from).colwise().norm().maxCoeff();
-}
-
-}  // namespace
 
 StyleSolution solve_style(const Eigen::Matrix3Xd& guess, const std::vector<SourceTriangle>& triangles,
-                          const HardConstraints& constraints, const SoftTermsAt& soft_terms, const StyleOptions& options) {
+                          const HardConstraints& constraints, const SoftTermsAt& soft_terms, const StyleOptions& options,
+                          StyleMemory* memory) {
   StyleSolution solution;
-  StyleSystem system(triangles, constraints, guess.cols());
-  const auto terms_at = [&](const Eigen::Matrix3Xd& x, int round) {
-    return soft_terms ? soft_terms(x, round) : std::vector<SoftTerm>{};
-  };
-  solution.soft = terms_at(guess, 0);
+  StyleSystem system(triangles, constraints, guess.cols(), memory);
+  if (soft_terms) solution.soft = soft_terms(guess, 0);
   system.factor(solution.soft);
   solution.initial = system.solve_near(guess);
-  solution.positions = solution.initial;
-
-  // The constraints themselves may need more stretch than the clamp allows; it must not fight them.
-  std::vector<Eigen::Matrix2d> maps(triangles.size(), Eigen::Matrix2d::Identity()), first = maps;
-  std::vector<MapBounds> bounds(triangles.size(), {options.least_stretch, options.most_stretch});
-  for (const std::size_t t : system.moving()) {
-    first[t] = plane_map_of(triangles[t], solution.initial);
-    const Eigen::Vector2d values = signed_singular_values(first[t]);
-    if (values(1) > 0) bounds[t].least = std::min(options.least_stretch, 0.8 * values(1));
-    bounds[t].most = std::max(options.most_stretch, 1.25 * values(0));
-  }
-
+  StyleIteration iteration(triangles, system, solution.initial, options);
   const auto iterate = [&](int most) {
     for (int k = 0; k < most; ++k) {
-      for (const std::size_t t : system.moving())
-        maps[t] = (1 - options.in_plane_pull) *
-                      clamped(plane_map_of(triangles[t], solution.positions), bounds[t].least, bounds[t].most) +
-                  options.in_plane_pull * first[t];
-      const Eigen::Matrix3Xd next = system.solve(maps);
-      const double move = largest_move(solution.positions, next);
-      solution.positions = next;
       ++solution.iterations;
-      if (move < options.tolerance) return true;
+      if (iteration.step() < options.tolerance) return true;
     }
     return false;
   };
   solution.settled = iterate(options.most_iterations);
   for (int round = 1; soft_terms && round <= options.most_rounds; ++round) {
-    solution.soft = terms_at(solution.positions, round);
+    solution.soft = soft_terms(iteration.x(), round);
     if (solution.soft.empty() && round == 1) break;
-    const Eigen::Matrix3Xd before = solution.positions;
+    const Eigen::Matrix3Xd before = iteration.x();
     system.factor(solution.soft);
     solution.settled = iterate(options.round_iterations);
     solution.rounds = round;
-    if (largest_move(before, solution.positions) < options.tolerance) break;
+    if ((iteration.x() - before).colwise().norm().maxCoeff() < options.tolerance) break;
     if (round == options.most_rounds) solution.settled = false;
   }
+  solution.positions = iteration.x();
+  return solution;
+}
+
+StyleReference style_reference(const StyleSolution& solution, const std::vector<SourceTriangle>& triangles,
+                               const HardConstraints& constraints, const SoftTermsAt& soft_terms, const StyleOptions& options,
+                               StyleMemory* memory) {
+  StyleSystem system(triangles, constraints, solution.positions.cols(), memory);
+  StyleIteration iteration(triangles, system, solution.initial, options);
+  iteration.go_to(solution.positions);
+  return {solution.positions, solution.initial,
+          iteration.imbalance(soft_terms ? soft_terms(solution.positions, 1) : std::vector<SoftTerm>{}), options};
+}
+
+StyleSolution follow_style(const StyleReference& reference, const Eigen::Matrix3Xd& guess,
+                           const std::vector<SourceTriangle>& triangles, const HardConstraints& constraints,
+                           const SoftTermsAt& soft_terms, StyleMemory* memory) {
+  StyleSolution solution;
+  StyleSystem system(triangles, constraints, guess.cols(), memory);
+  if (soft_terms) solution.soft = soft_terms(guess, 0);
+  system.factor(solution.soft);
+  solution.initial = system.solve_near(guess);
+  StyleIteration iteration(triangles, system, solution.initial, reference.options);
+  iteration.go_to(reference.positions + solution.initial - reference.initial);
+  while (!solution.settled && solution.rounds < reference.options.most_steps) {
+    ++solution.rounds;
+    if (soft_terms) solution.soft = soft_terms(iteration.x(), solution.rounds);
+    solution.settled = iteration.step_directly(solution.soft, reference.imbalance) < reference.options.tolerance;
+    ++solution.iterations;
+  }
+  solution.positions = iteration.x();
   return solution;
 }
 

@@ -76,7 +76,7 @@ TEST(SelfContact, GradientIsTheDifferenceQuotientOfTheEnergy) {
 
 TEST(SelfContact, HessianIsTheDifferenceQuotientOfTheGradient) {
   const Met m = met();
-  fem::BlockMatrix hessian(8, coupled_vertices(m.contact));
+  BlockMatrix hessian(8, coupled_vertices(m.contact));
   add_self_contact(m.contact, m.x, hessian);
   for (Eigen::Index i = 0; i < m.x.size(); ++i) {
     Eigen::Matrix3Xd unit = Eigen::Matrix3Xd::Zero(3, 8), above = Eigen::Matrix3Xd::Zero(3, 8), below = above;

@@ -142,5 +142,67 @@ TEST(SolveStyle, FollowsASoftTermFartherTheHeavierItIs) {
   EXPECT_NEAR(moved(1e6), 0.02, 1e-4);
 }
 
+struct HeldSkirt {
+  SyntheticSkirt skirt = synthetic_skirt({.columns = 24, .rows = 12, .gores = 4});
+  std::vector<SourceTriangle> triangles = source_triangles(skirt.drape, skirt.garment.triangles);
+  HardConstraints hem_at(double out) const {
+    HardConstraints hard;
+    for (int v = 0; v < 4 * 24; ++v) hard.hold(v, skirt.drape.col(v));
+    for (int v = 11 * 24; v < 12 * 24; ++v) {
+      const Eigen::Vector3d way(skirt.drape(0, v), 0, skirt.drape(2, v));
+      hard.hold(v, skirt.drape.col(v) + out * way.normalized());
+    }
+    return hard;
+  }
+  SoftTermsAt pull(double by) const {
+    return [this, by](const Eigen::Matrix3Xd&, int) {
+      return std::vector<SoftTerm>{{150, Eigen::Vector3d::UnitX(), skirt.drape(0, 150) + by, 0.5}};
+    };
+  }
+};
+
+TEST(SolveStyle, GivesTheSameBytesWithAMemory) {
+  const HeldSkirt held;
+  StyleMemory memory;
+  for (const double out : {0.01, 0.02, 0.01})
+    EXPECT_EQ(solve_style(held.skirt.drape, held.triangles, held.hem_at(out), held.pull(0.01), {}, &memory).positions,
+              solve_style(held.skirt.drape, held.triangles, held.hem_at(out), held.pull(0.01)).positions);
+}
+
+TEST(FollowStyle, StaysWhereNothingIsOther) {
+  const HeldSkirt held;
+  StyleOptions options;
+  options.most_iterations = 5;  // cut off early
+  const auto solution = solve_style(held.skirt.drape, held.triangles, held.hem_at(0.02), held.pull(0.01), options);
+  const auto reference = style_reference(solution, held.triangles, held.hem_at(0.02), held.pull(0.01), options);
+  EXPECT_GT(reference.imbalance.cwiseAbs().maxCoeff(), 1e-7);
+  const auto followed = follow_style(reference, held.skirt.drape, held.triangles, held.hem_at(0.02), held.pull(0.01));
+  EXPECT_LT((followed.positions - solution.positions).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_TRUE(followed.settled);
+  EXPECT_EQ(followed.rounds, 1);
+}
+
+// Solved to the end, a shape does not depend on the way there.
+TEST(FollowStyle, ComesToTheShapeThatIsSoughtFromTheSource) {
+  const HeldSkirt held;
+  StyleOptions options;
+  options.tolerance = 1e-11;
+  options.most_iterations = 5000;
+  options.most_rounds = 0;
+  const auto from = solve_style(held.skirt.drape, held.triangles, held.hem_at(0.02), held.pull(0.01), options);
+  ASSERT_TRUE(from.settled);
+  options.tolerance = 1e-7;
+  const auto reference = style_reference(from, held.triangles, held.hem_at(0.02), held.pull(0.01), options);
+  options.tolerance = 1e-11;
+  for (const double out : {0.03, -0.01}) {
+    const auto sought = solve_style(held.skirt.drape, held.triangles, held.hem_at(out), held.pull(-0.01), options);
+    const auto followed = follow_style(reference, held.skirt.drape, held.triangles, held.hem_at(out), held.pull(-0.01));
+    EXPECT_TRUE(followed.settled);
+    EXPECT_LE(followed.iterations, 3);
+    EXPECT_GT((followed.positions - from.positions).cwiseAbs().maxCoeff(), 5e-3);
+    EXPECT_LT((followed.positions - sought.positions).cwiseAbs().maxCoeff(), 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace toile

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
 
 namespace toile::fem {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drape/fem/model.h"
-#include "drape/fem/sparse_spd.h"
+#include "sparse/block_matrix.h"
 
 namespace toile::fem {
 

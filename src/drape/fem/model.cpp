@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
 
 namespace toile::fem {
 namespace {

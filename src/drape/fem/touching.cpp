@@ -1,7 +1,7 @@
 #include "drape/fem/touching.h"
 
 #include "drape/fem/model.h"
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
 
 namespace toile::fem {
 namespace {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <set>
 
@@ -57,8 +58,9 @@ FitRange range_of(const ReadArguments& read) {
 }
 
 // Share of the area the garment hangs by that the target lifts off the body.
-double lifted_share(const EditInput& input, const ContactRegion& contact, const Eigen::Matrix3Xd& positions) {
-  const Eigen::VectorXd areas = vertex_areas(source_triangles(input.drape, input.garment.triangles), positions.cols());
+double lifted_share(const EditInput& input, EditMemory& memory, const Eigen::Matrix3Xd& positions) {
+  const ContactRegion& contact = source_contact(input, memory);
+  const Eigen::VectorXd areas = vertex_areas(source_shape(input, memory), positions.cols());
   double lifted = 0, all = 0;
   for (Eigen::Index v = 0; v < positions.cols(); ++v) {
     if (!contact.bearing[static_cast<std::size_t>(v)]) continue;
@@ -77,7 +79,7 @@ void describe_ease(Report& report, const std::string& name, const LoopEase& befo
   report.note("edit.ease", place, text);
 }
 
-Target target_of(const EditInput& input, const ContactRegion& contact, Styled&& styled, Report&& report) {
+Target target_of(const EditInput& input, EditMemory& memory, Styled&& styled, Report&& report) {
   if (!styled.deviation.flipped.empty())
     throw BadInput(
         {"edit.flipped", Severity::error, place,
@@ -87,7 +89,7 @@ Target target_of(const EditInput& input, const ContactRegion& contact, Styled&& 
   target.report = std::move(report);
   describe_style(target.report, place, styled.deviation);
   describe_end(target.report, place, styled.deepest, styled.settled);
-  if (lifted_share(input, contact, styled.positions) > 0.5)
+  if (lifted_share(input, memory, styled.positions) > 0.5)
     target.report.warn("edit.may-slip", place, "most of what the garment hangs by no longer lies on the body",
                        "loosen another part, or name an anchor where it hangs, such as \"waist\"");
   target.garment = input.garment;
@@ -123,8 +125,20 @@ void describe_offsets(Report& report, const std::string& name, const FitLoop& fi
                 "see the ease that is left, or ask for less");
 }
 
-Target fit_all(const EditInput& input, const ReadArguments& read, const std::vector<RelativePlace>& places,
-               const ContactRegion& contact) {
+// All arguments but the amount.
+std::string apart_from_amount(const ReadArguments& read) {
+  std::string name = "fit";
+  for (const auto& [parameter, value] : read.names) name += ", " + parameter + " " + value;
+  for (const char* parameter : {"from", "to", "release"}) {
+    char text[48];
+    std::snprintf(text, sizeof text, ", %s %.17g", parameter, read.numbers.at(parameter));
+    name += text;
+  }
+  return name;
+}
+
+Target fit_all(const EditInput& input, const ReadArguments& read, EditMemory& memory) {
+  const std::vector<RelativePlace>& places = source_places(input, memory);
   const auto girth = read.numbers.find("girth");
   const double by = girth == read.numbers.end() ? read.numbers.at("by") : girth->second / (2 * std::numbers::pi);
   if (!range_of(read).whole())
@@ -133,7 +147,7 @@ Target fit_all(const EditInput& input, const ReadArguments& read, const std::vec
   const std::string& anchor = read.names.at("anchor");
   std::vector<VertexLoop> stays;
   if (anchor != "auto" && anchor != "none") stays = anchors_named(input, anchor, {});
-  Loosened loosened = loosen(input, places, contact, by, read.numbers.at("release"), stays);
+  Loosened loosened = loosen(input, by, read.numbers.at("release"), stays, memory, apart_from_amount(read));
   Report report;
   double moved = 0;
   for (const int v : loosened.moving)
@@ -142,7 +156,7 @@ Target fit_all(const EditInput& input, const ReadArguments& read, const std::vec
   report.note("edit.moved", place,
               "the garment moved " + in_mm(std::abs(moved)) + (moved < 0 ? " towards" : " away from") +
                   " the body in the mean; " + in_mm(std::abs(by)) + " were asked for");
-  for (const VertexLoop& edge : boundary_loops(input.garment.triangles)) {
+  for (const VertexLoop& edge : garment_boundary(input, memory)) {
     const Eigen::Vector3d axis = limb_direction(places, edge);
     describe_ease(report, "opening at " + in_cm(loop_centre(input.drape, edge).y()),
                   loop_ease(input.body.form, input.drape, edge, axis),
@@ -150,7 +164,7 @@ Target fit_all(const EditInput& input, const ReadArguments& read, const std::vec
   }
   std::set<int> anchors;
   for (const VertexLoop& loop : stays) anchors.insert(loop.begin(), loop.end());
-  Target target = target_of(input, contact, std::move(loosened.styled), std::move(report));
+  Target target = target_of(input, memory, std::move(loosened.styled), std::move(report));
   target.anchor.assign(anchors.begin(), anchors.end());
   return target;
 }
@@ -160,13 +174,17 @@ Target apply_fit(const EditInput& input, const EditArguments& arguments) {
   const ReadArguments read = read_arguments("fit", fit_parameters(), arguments);
   const FitRange range = range_of(read);
   const std::string& name = read.names.at("loop");
-  const ContactRegion contact = contact_region(input);
-  const auto places = relative_places(input.body, input.drape, input.garment.triangles);
-  if (name == "all") return fit_all(input, read, places, contact);
+  EditMemory own;
+  EditMemory& memory = input.memory ? *input.memory : own;
+  if (name == "all") return fit_all(input, read, memory);
+  const ContactRegion& contact = source_contact(input, memory);
 
   const double release = read.numbers.at("release");
-  const Eigen::VectorXd least = contact.gap.cwiseMin(contact_distance(contact.gap));
-  const auto fits = fit_loops(input, name, places, contact, least, read.names.at("anchor"), release, range);
+  const std::string what = apart_from_amount(read);
+  const std::vector<FitLoop>& fits = memory.once(what + ", loops", [&] {
+    const Eigen::VectorXd least = contact.gap.cwiseMin(contact_distance(contact.gap));
+    return fit_loops(input, name, source_places(input, memory), contact, least, read.names.at("anchor"), release, range);
+  });
   Report report;
   std::vector<Eigen::VectorXd> offsets;
   std::set<int> held, anchor;
@@ -183,11 +201,11 @@ Target apply_fit(const EditInput& input, const EditArguments& arguments) {
                   "nothing changes beyond the anchor at height " + in_mm(loop_centre(input.drape, ring).y(), 0));
     }
   }
-  Styled styled = offset_loops(input, fits, offsets, places, contact, release);
+  Styled styled = offset_loops(input, fits, offsets, release, memory, what);
   for (const FitLoop& fit : fits)
     describe_ease(report, name, loop_ease(input.body.form, input.drape, fit.loop, fit.axis),
                   loop_ease(input.body.form, styled.positions, fit.loop, fit.axis));
-  Target target = target_of(input, contact, std::move(styled), std::move(report));
+  Target target = target_of(input, memory, std::move(styled), std::move(report));
   target.held.assign(held.begin(), held.end());
   target.anchor.assign(anchor.begin(), anchor.end());
   return target;

@@ -45,13 +45,15 @@ std::vector<int> part_that_moves(const VertexNeighbours& neighbours, const std::
 
 }  // namespace
 
-Loosened loosen(const EditInput& input, const std::vector<RelativePlace>& places, const ContactRegion& contact, double by,
-                double release, const std::vector<VertexLoop>& stays) {
+Loosened loosen(const EditInput& input, double by, double release, const std::vector<VertexLoop>& stays, EditMemory& memory,
+                const std::string& name) {
+  const std::vector<RelativePlace>& places = source_places(input, memory);
+  const ContactRegion& contact = source_contact(input, memory);
   const Eigen::Index count = input.drape.cols();
-  const auto triangles = source_triangles(input.drape, input.garment.triangles);
+  const std::vector<SourceTriangle>& triangles = source_shape(input, memory);
   const Eigen::VectorXd areas = vertex_areas(triangles, count);
   const StyleWeights weights = style_weights(input.body.form.height);
-  const VertexNeighbours neighbours = neighbours_of(level_mesh(input.garment.triangles), count);
+  const VertexNeighbours& neighbours = garment_neighbours(input, memory);
   std::set<int> blocked;
   for (const VertexLoop& loop : stays) blocked.insert(loop.begin(), loop.end());
   const std::vector<int> moving = part_that_moves(neighbours, blocked);
@@ -63,7 +65,7 @@ Loosened loosen(const EditInput& input, const std::vector<RelativePlace>& places
   wishes.least = contact.gap.cwiseMin(contact_distance(contact.gap));
   Loosened result;
   result.moving = moving;
-  const Eigen::VectorXd way = way_along_cloth(input, {blocked.begin(), blocked.end()});
+  const Eigen::VectorXd way = way_along_cloth(input, memory, {blocked.begin(), blocked.end()});
   Eigen::MatrixXd asked(1, count);
   for (Eigen::Index v = 0; v < count; ++v) {
     const auto at = static_cast<std::size_t>(v);
@@ -89,7 +91,7 @@ Loosened loosen(const EditInput& input, const std::vector<RelativePlace>& places
         {v, place.outward, place.outward.dot(input.drape.col(v)) + asked(0, v),
          weights.fit * (asked(0, v) == 0 ? 1 : std::max(0.05, still)) * areas(v) / (weights.length * weights.length)});
   }
-  for (const VertexLoop& edge : boundary_loops(input.garment.triangles))
+  for (const VertexLoop& edge : garment_boundary(input, memory))
     for (const int v : edge) {
       const RelativePlace& place = places[static_cast<std::size_t>(v)];
       if (wishes.moves[static_cast<std::size_t>(v)])
@@ -98,13 +100,10 @@ Loosened loosen(const EditInput& input, const std::vector<RelativePlace>& places
   HardConstraints hard;
   for (Eigen::Index v = 0; v < count; ++v)
     if (!wishes.moves[static_cast<std::size_t>(v)]) hard.hold(static_cast<int>(v), input.drape.col(v));
-  const BodyTerms terms(input.body, areas, std::move(wishes));
   result.asked = asked.row(0).transpose();
-  result.styled = with_weakest_pull([&](const StyleOptions& style) {
-    BodyTerms again = terms;
-    const StyleSolution solution = solve_style(guess, triangles, hard, again.all(), style);
-    return styled(input.body, again, triangles, input.drape, contact.gap, solution.initial, solution);
-  });
+  result.styled = restyled({input.body, input.drape, triangles, contact.gap, std::move(guess), std::move(hard),
+                            BodyTerms(input.body, areas, std::move(wishes))},
+                           memory, name);
   return result;
 }
 

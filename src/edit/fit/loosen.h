@@ -1,6 +1,7 @@
 #pragma once
 // The whole garment farther from the body, or nearer to it.
 
+#include <string>
 #include <vector>
 
 #include "edit/contact_region.h"
@@ -16,8 +17,8 @@ struct Loosened {
 
 // Every point `by` metres along the ray from its bone; `stays` (loops) and what is cut off by them do not move: the part that
 // moves is the largest, all of it from `release` m off the loops on. Where cloth rests on skin that looks up it keeps its
-// distance, or the garment could not hang.
-Loosened loosen(const EditInput& input, const std::vector<RelativePlace>& places, const ContactRegion& contact, double by,
-                double release, const std::vector<VertexLoop>& stays);
+// distance, or the garment could not hang. `name`: what stays and the release, for the memory.
+Loosened loosen(const EditInput& input, double by, double release, const std::vector<VertexLoop>& stays, EditMemory& memory,
+                const std::string& name);
 
 }  // namespace toile

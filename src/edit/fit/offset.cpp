@@ -14,8 +14,10 @@ namespace {
 
 constexpr double inner_proportion = 0.02;  // of what free edges are asked: so that cloth does not creep along its own surface
 
-BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<RelativePlace>& places,
-                     const ContactRegion& contact, const Eigen::VectorXd& areas, double release) {
+BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, double release, EditMemory& memory) {
+  const std::vector<RelativePlace>& places = source_places(input, memory);
+  const ContactRegion& contact = source_contact(input, memory);
+  const Eigen::VectorXd areas = vertex_areas(source_shape(input, memory), input.drape.cols());
   const Eigen::Index count = input.drape.cols();
   const StyleWeights weights = style_weights(input.body.form.height);
   BodyWishes wishes;
@@ -31,7 +33,7 @@ BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, c
   wishes.least = contact.gap.cwiseMin(contact_distance(contact.gap));
   wishes.release = Eigen::VectorXd::Zero(count);
   wishes.offset = Eigen::VectorXd::Zero(count);
-  const Eigen::VectorXd way = way_along_cloth(input, pulled);
+  const Eigen::VectorXd way = way_along_cloth(input, memory, pulled);
   for (Eigen::Index v = 0; v < count; ++v) {
     const auto at = static_cast<std::size_t>(v);
     wishes.limb.push_back(places[at].limb);
@@ -40,7 +42,7 @@ BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, c
       wishes.release(v) = smoothstep(way(v), 0, release);
   }
   std::vector<bool> on_edge(static_cast<std::size_t>(count), false);
-  for (const VertexLoop& edge : boundary_loops(input.garment.triangles))
+  for (const VertexLoop& edge : garment_boundary(input, memory))
     for (const int v : edge) on_edge[static_cast<std::size_t>(v)] = true;
   for (Eigen::Index v = 0; v < count; ++v) {
     const auto at = static_cast<std::size_t>(v);
@@ -52,9 +54,7 @@ BodyTerms body_terms(const EditInput& input, const std::vector<FitLoop>& fits, c
   return {input.body, areas, std::move(wishes)};
 }
 
-Styled hold_and_solve(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
-                      BodyTerms terms, const ContactRegion& contact, const std::vector<SourceTriangle>& triangles,
-                      const StyleOptions& style) {
+HardConstraints held_at(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets) {
   std::vector<bool> moves(static_cast<std::size_t>(input.drape.cols()), false);
   for (const FitLoop& fit : fits)
     for (const int v : fit.moving) moves[static_cast<std::size_t>(v)] = true;
@@ -65,15 +65,14 @@ Styled hold_and_solve(const EditInput& input, const std::vector<FitLoop>& fits, 
     const Eigen::Matrix3Xd goal = fits[f].moved(input.drape, offsets[f]);
     for (Eigen::Index i = 0; i < goal.cols(); ++i) hard.hold(fits[f].loop[static_cast<std::size_t>(i)], goal.col(i));
   }
-  const StyleSolution solution = solve_style(input.drape, triangles, hard, terms.all(), style);
-  return styled(input.body, terms, triangles, input.drape, contact.gap, solution.initial, solution);
+  return hard;
 }
 
 }  // namespace
 
-Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& from) {
+Eigen::VectorXd way_along_cloth(const EditInput& input, EditMemory& memory, const std::vector<int>& from) {
   Eigen::VectorXd way = Eigen::VectorXd::Constant(input.drape.cols(), std::numeric_limits<double>::infinity());
-  const VertexNeighbours neighbours = neighbours_of(level_mesh(input.garment.triangles), input.drape.cols());
+  const VertexNeighbours& neighbours = garment_neighbours(input, memory);
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const int v : from) {
@@ -95,11 +94,11 @@ Eigen::VectorXd way_along_cloth(const EditInput& input, const std::vector<int>& 
 }
 
 Styled offset_loops(const EditInput& input, const std::vector<FitLoop>& fits, const std::vector<Eigen::VectorXd>& offsets,
-                    const std::vector<RelativePlace>& places, const ContactRegion& contact, double release) {
-  const auto triangles = source_triangles(input.drape, input.garment.triangles);
-  const BodyTerms terms = body_terms(input, fits, places, contact, vertex_areas(triangles, input.drape.cols()), release);
-  return with_weakest_pull(
-      [&](const StyleOptions& style) { return hold_and_solve(input, fits, offsets, terms, contact, triangles, style); });
+                    double release, EditMemory& memory, const std::string& name) {
+  const BodyTerms& terms = memory.once(name + ", terms", [&] { return body_terms(input, fits, release, memory); });
+  return restyled({input.body, input.drape, source_shape(input, memory), source_contact(input, memory).gap, input.drape,
+                   held_at(input, fits, offsets), terms},
+                  memory, name);
 }
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "edit/contact_region.h"
+#include "edit/edit_memory.h"
 #include "edit/level_loops.h"
 #include "edit/operation.h"
 
@@ -21,6 +22,6 @@ struct AutomaticAnchor {
 // lengthen; the ring is the nearest one at or beyond the tight edge with that room, or the farthest there is.
 AutomaticAnchor automatic_anchor(const EditInput& input, const LevelMesh& mesh, const ContactRegion& contact,
                                  const VertexLoop& loop, const Eigen::Vector3d& axis, double level,
-                                 const std::vector<bool>& connected, double by);
+                                 const std::vector<bool>& connected, double by, EditMemory& memory);
 
 }  // namespace toile

@@ -17,18 +17,24 @@ const char* const anchor_place = "edit 'length', anchor";
 
 }  // namespace
 
-std::vector<Handle> make_handles(const EditInput& input, const std::string& loop_name, const std::vector<RelativePlace>& places,
-                                 const ContactRegion& contact, const std::string& anchor, double by) {
-  const LevelMesh mesh = level_mesh(input.garment.triangles);
-  const VertexNeighbours neighbours = neighbours_of(mesh, input.drape.cols());
+std::vector<Handle> make_handles(const EditInput& input, const std::string& loop_name, const std::string& anchor, double by,
+                                 EditMemory& memory) {
+  const std::vector<RelativePlace>& places = source_places(input, memory);
+  const ContactRegion& contact = source_contact(input, memory);
+  const LevelMesh& mesh = garment_edges(input, memory);
+  const VertexNeighbours& neighbours = garment_neighbours(input, memory);
+  const auto named_loops = [&](const std::string& name, const char* place, LevelSide side) -> const NamedLoops& {
+    return memory.once("loops '" + name + "' " + std::to_string(static_cast<int>(side)),
+                       [&] { return resolve_loops(input, name, place, side); });
+  };
   std::set<int> on_boundary;
   for (const MeshEdge& edge : mesh.edges)
     if (edge.triangle[1] < 0) on_boundary.insert(edge.vertex.begin(), edge.vertex.end());
   const bool automatic = anchor == "auto";
-  NamedLoops loops = resolve_loops(input, loop_name, loop_place);
+  NamedLoops loops = named_loops(loop_name, loop_place, LevelSide::nearer);
   if (loops.level) {  // the far side of its plane, so that what is before it can be scaled right up to it
     const Eigen::Vector3d way = limb_direction(places, loops.loops.front());
-    loops = resolve_loops(input, loop_name, loop_place, side_of(loops, way));
+    loops = named_loops(loop_name, loop_place, side_of(loops, way));
   }
 
   std::vector<Handle> handles;
@@ -46,7 +52,7 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
     const auto on_part = [&](const VertexLoop& ring) { return connected[static_cast<std::size_t>(ring[0])]; };
 
     NamedLoops named;
-    if (!automatic) named = resolve_loops(input, anchor, anchor_place);
+    if (!automatic) named = named_loops(anchor, anchor_place, LevelSide::nearer);
     const auto mine = std::find_if(named.loops.begin(), named.loops.end(), on_part);
     const bool free_edge = std::all_of(loop.begin(), loop.end(), [&](int v) { return on_boundary.count(v) > 0; });
     const double here = level_of(loops, input.drape, loop, handle.axis);
@@ -54,9 +60,10 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
                                                      : automatic && free_edge && middle > here;
     if (backwards) handle.axis = -handle.axis;
     handle.level = level_of(loops, input.drape, loop, handle.axis);
-    if (named.level) named = resolve_loops(input, anchor, anchor_place, side_of(named, -handle.axis));
+    if (named.level) named = named_loops(anchor, anchor_place, side_of(named, -handle.axis));
 
-    const AutomaticAnchor found = automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by);
+    const AutomaticAnchor found =
+        automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by, memory);
     handle.tight_edge = found.tight_edge;
     if (automatic && !found.ring.empty()) named.loops.push_back(found.ring);
 

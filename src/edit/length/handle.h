@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "body/relative.h"
-#include "edit/contact_region.h"
+#include "edit/edit_memory.h"
 #include "edit/operation.h"
 #include "edit/skeleton_chains.h"
 
@@ -27,7 +27,7 @@ struct Handle {
 // lies on the body for at least half its length, but not so near that the fabric between would be stretched or squeezed beyond
 // reason by a move of `by` metres. Throws BadInput: edit.anchor-elsewhere when no anchor bounds the part that moves, and what
 // resolve_loops throws.
-std::vector<Handle> make_handles(const EditInput& input, const std::string& loop, const std::vector<RelativePlace>& places,
-                                 const ContactRegion& contact, const std::string& anchor, double by);
+std::vector<Handle> make_handles(const EditInput& input, const std::string& loop, const std::string& anchor, double by,
+                                 EditMemory& memory);
 
 }  // namespace toile

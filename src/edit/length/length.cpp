@@ -55,15 +55,16 @@ Target apply_length(const EditInput& input, const EditArguments& arguments) {
   const ReadArguments read = read_arguments("length", length_parameters(), arguments);
   const double by = read.numbers.at("by");
   const std::string& name = read.names.at("loop");
-  const ContactRegion contact = contact_region(input);
-  const auto places = relative_places(input.body, input.drape, input.garment.triangles);
-  const std::vector<Handle> handles = make_handles(input, name, places, contact, read.names.at("anchor"), by);
-  const Eigen::VectorXd areas = vertex_areas(source_triangles(input.drape, input.garment.triangles), input.drape.cols());
+  EditMemory own;
+  EditMemory& memory = input.memory ? *input.memory : own;
+  const ContactRegion& contact = source_contact(input, memory);
+  const std::vector<Handle> handles = make_handles(input, name, read.names.at("anchor"), by, memory);
+  const Eigen::VectorXd areas = vertex_areas(source_shape(input, memory), input.drape.cols());
   refuse_impossible(input, handles, contact, areas, by);
 
   SlideOptions options{by, read.numbers.at("release"), {}};
   if (read.names.at("stay") != "none") options.stays = resolve_loops(input, read.names.at("stay"), "edit 'length', stay").loops;
-  Slide slide = slide_and_freeze(input, handles, places, contact, options);
+  Slide slide = slide_and_freeze(input, handles, options, memory);
   if (!slide.deviation.flipped.empty())
     throw BadInput(
         {"edit.flipped", Severity::error, "edit 'length', by",

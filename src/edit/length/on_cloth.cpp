@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "edit/length/panel_slide.h"
+#include "parallel/threads.h"
 
 namespace toile {
 namespace {
@@ -30,7 +31,17 @@ class GarmentSlide {
     return std::all_of(panels_.begin(), panels_.end(), [&](auto& panel) { return !panel || panel->slide_boundary(cloth); });
   }
   bool slide_insides() {
-    return std::all_of(panels_.begin(), panels_.end(), [&](auto& panel) { return !panel || panel->slide_inside(); });
+    const int count = static_cast<int>(panels_.size());
+    std::vector<char> slid(panels_.size(), 1);
+    placed_.resize(panels_.size());
+    in_ranges(count, count, [&](int, int begin, int end) {
+      for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p) {
+        if (!panels_[p] || !(slid[p] = panels_[p]->slide_inside())) continue;
+        placed_[p].resize(3, input_.garment.welded[p].size());
+        for (Eigen::Index v = 0; v < placed_[p].cols(); ++v) placed_[p].col(v) = panels_[p]->place(static_cast<int>(v));
+      }
+    });
+    return std::all_of(slid.begin(), slid.end(), [](char done) { return done != 0; });
   }
 
   // m, along the axis, in the mean over the loop.
@@ -60,7 +71,7 @@ class GarmentSlide {
       for (Eigen::Index v = 0; v < welded.size(); ++v) {
         const int i = wanted[static_cast<std::size_t>(welded(v))];
         if (i < 0) continue;
-        sum[static_cast<std::size_t>(i)] += panels_[p]->place(static_cast<int>(v));
+        sum[static_cast<std::size_t>(i)] += place(p, v);
         ++shares[static_cast<std::size_t>(i)];
       }
     }
@@ -78,18 +89,22 @@ class GarmentSlide {
       for (Eigen::Index v = 0; v < welded.size(); ++v) {
         const int i = wanted[static_cast<std::size_t>(welded(v))];
         if (i < 0) continue;
-        const Eigen::Vector3d place =
-            panels_[p] ? panels_[p]->place(static_cast<int>(v)) : Eigen::Vector3d(input_.drape.col(welded(v)));
-        if ((place - at[static_cast<std::size_t>(i)]).norm() > apart_limit) return false;
+        const Eigen::Vector3d here = panels_[p] ? place(p, v) : Eigen::Vector3d(input_.drape.col(welded(v)));
+        if ((here - at[static_cast<std::size_t>(i)]).norm() > apart_limit) return false;
       }
     }
     return true;
   }
 
  private:
+  Eigen::Vector3d place(std::size_t p, Eigen::Index v) const {
+    return placed_.empty() ? panels_[p]->place(static_cast<int>(v)) : Eigen::Vector3d(placed_[p].col(v));
+  }
+
   const EditInput& input_;
   const Handle& handle_;
   std::vector<std::unique_ptr<PanelSlide>> panels_;
+  std::vector<Eigen::Matrix3Xd> placed_;  // by panel, once the insides have slid
 };
 
 }  // namespace

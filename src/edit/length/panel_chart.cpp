@@ -2,27 +2,64 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace toile {
 
-PanelChart::Found PanelChart::find(const Eigen::Vector2d& rest) const {
-  Found best{-1, -std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
-  for (Eigen::Index t = 0; t < panel_.triangles.cols(); ++t) {
-    const Eigen::Vector3i corner = panel_.triangles.col(t);
-    const Eigen::Vector2d a = panel_.rest.col(corner(0));
-    const Eigen::Vector2d u = Eigen::Vector2d(panel_.rest.col(corner(1))) - a;
-    const Eigen::Vector2d w = Eigen::Vector2d(panel_.rest.col(corner(2))) - a;
-    const Eigen::Vector2d d = rest - a;
-    const double area = u.x() * w.y() - u.y() * w.x();
-    const double second = (d.x() * w.y() - d.y() * w.x()) / area;
-    const double third = (u.x() * d.y() - u.y() * d.x()) / area;
-    const double inside = std::min({1 - second - third, second, third});
-    if (inside <= best.inside) continue;
-    best = {static_cast<int>(t), inside, {1 - second - third, second, third}};
-    if (inside >= 0) break;
+PanelChart::PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped) : panel_(panel), draped_(draped) {
+  if (panel.triangles.cols() == 0) return;
+  const Eigen::Vector2d least = panel.rest.rowwise().minCoeff(), most = panel.rest.rowwise().maxCoeff();
+  const Eigen::Vector2d size = most - least;
+  width_ = std::max({std::sqrt(size.prod() / static_cast<double>(panel.triangles.cols())), 1e-3 * size.maxCoeff(), 1e-9});
+  corner_ = least - Eigen::Vector2d::Constant(0.01 * width_);
+  columns_ = static_cast<int>(size.x() / width_ + 0.02) + 1;
+  rows_ = static_cast<int>(size.y() / width_ + 0.02) + 1;
+  touching_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  for (Eigen::Index t = 0; t < panel.triangles.cols(); ++t) {
+    const Eigen::Matrix<double, 2, 3> corners = panel.rest(Eigen::all, panel.triangles.col(t));
+    const auto place = [&](const Eigen::Vector2d& at) -> Eigen::Array2i {
+      return ((at - corner_) / width_).array().floor().cast<int>().max(0).min(Eigen::Array2i(columns_ - 1, rows_ - 1));
+    };
+    const Eigen::Vector2d slack = Eigen::Vector2d::Constant(1e-3 * width_);
+    const Eigen::Array2i from = place(corners.rowwise().minCoeff() - slack), to = place(corners.rowwise().maxCoeff() + slack);
+    for (int row = from.y(); row <= to.y(); ++row)
+      for (int column = from.x(); column <= to.x(); ++column)
+        touching_[static_cast<std::size_t>(row * columns_ + column)].push_back(static_cast<int>(t));
   }
+}
+
+int PanelChart::cell(const Eigen::Vector2d& rest) const {
+  const Eigen::Vector2d at = (rest - corner_) / width_;
+  if (!(at.x() >= 0 && at.y() >= 0 && at.x() < columns_ && at.y() < rows_)) return -1;
+  return static_cast<int>(at.y()) * columns_ + static_cast<int>(at.x());
+}
+
+bool PanelChart::takes(int triangle, const Eigen::Vector2d& rest, Found& best) const {
+  const Eigen::Vector3i corner = panel_.triangles.col(triangle);
+  const Eigen::Vector2d a = panel_.rest.col(corner(0));
+  const Eigen::Vector2d u = Eigen::Vector2d(panel_.rest.col(corner(1))) - a;
+  const Eigen::Vector2d w = Eigen::Vector2d(panel_.rest.col(corner(2))) - a;
+  const Eigen::Vector2d d = rest - a;
+  const double area = u.x() * w.y() - u.y() * w.x();
+  const double second = (d.x() * w.y() - d.y() * w.x()) / area;
+  const double third = (u.x() * d.y() - u.y() * d.x()) / area;
+  const double inside = std::min({1 - second - third, second, third});
+  if (inside <= best.inside) return false;
+  best = {triangle, inside, {1 - second - third, second, third}};
+  return true;
+}
+
+PanelChart::Found PanelChart::find(const Eigen::Vector2d& rest) const {
+  const Found none{-1, -std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
+  Found best = none;
+  if (const int here = cell(rest); here >= 0)
+    for (const int t : touching_[static_cast<std::size_t>(here)])
+      if (takes(t, rest, best) && best.inside >= 0) return best;
+  best = none;
+  for (Eigen::Index t = 0; t < panel_.triangles.cols(); ++t)
+    if (takes(static_cast<int>(t), rest, best) && best.inside >= 0) break;
   return best;
 }
 
@@ -33,7 +70,14 @@ Eigen::Vector3d PanelChart::at(const Eigen::Vector2d& rest) const {
   return place;
 }
 
-bool PanelChart::contains(const Eigen::Vector2d& rest) const { return find(rest).inside >= -1e-9; }
+bool PanelChart::contains(const Eigen::Vector2d& rest) const {
+  const int here = cell(rest);
+  if (here < 0) return false;
+  Found best{-1, -1e-9, Eigen::Vector3d::Zero()};
+  for (const int t : touching_[static_cast<std::size_t>(here)])
+    if (takes(t, rest, best)) return true;
+  return false;
+}
 
 CarriedOn::CarriedOn(const PanelMesh& panel, const PanelChart& chart, std::vector<int> edge, Eigen::Matrix2Xd direction,
                      double behind)

@@ -11,7 +11,7 @@ namespace toile {
 class PanelChart {
  public:
   // `draped`: 3 x panel vertices. Both are kept by reference.
-  PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped) : panel_(panel), draped_(draped) {}
+  PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped);
 
   // The draped place of a point of the rest shape (2, m); a little outside it, of the nearest triangle carried on.
   Eigen::Vector3d at(const Eigen::Vector2d& rest) const;
@@ -24,9 +24,17 @@ class PanelChart {
     Eigen::Vector3d weights;
   };
   Found find(const Eigen::Vector2d& rest) const;
+  // Whether the triangle is nearer to holding `rest` than `best`, which it then becomes.
+  bool takes(int triangle, const Eigen::Vector2d& rest, Found& best) const;
+  // Of the grid; -1 outside it.
+  int cell(const Eigen::Vector2d& rest) const;
 
   const PanelMesh& panel_;
   const Eigen::Matrix3Xd& draped_;
+  Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();  // m, of the grid over the rest shape
+  double width_ = 1;                                  // m, of its cells
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<int>> touching_;  // by cell: triangles, ascending
 };
 
 // An edge of a panel beyond which its cloth is carried on: straight, as the cloth behind the edge hangs in the mean over

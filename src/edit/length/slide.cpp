@@ -84,10 +84,12 @@ Eigen::Vector3d outside(const Body& body, Eigen::Vector3d at) {
   return at;
 }
 
-Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
-                 const ContactRegion& contact, const std::vector<SourceTriangle>& triangles, const SlideOptions& options,
-                 double in_plane_pull, bool may_slide_on_cloth) {
-  BodyTerms terms = body_terms(input, handles, places, contact, triangles, options);
+// `on_cloth`: where the garment has slid to on its own cloth, if it shall.
+Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, const SlideOptions& options, double in_plane_pull,
+                 const std::optional<Eigen::Matrix3Xd>& on_cloth, EditMemory& memory) {
+  const ContactRegion& contact = source_contact(input, memory);
+  const std::vector<SourceTriangle>& triangles = source_shape(input, memory);
+  BodyTerms terms = body_terms(input, handles, source_places(input, memory), contact, triangles, options);
   StyleOptions style;
   style.in_plane_pull = in_plane_pull;
   HardConstraints hard = all_but_moving(input, handles);
@@ -96,8 +98,7 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   // source's where it now lies.
   std::vector<SourceTriangle> reference = triangles;
   Eigen::Matrix3Xd shape = input.drape;
-  const auto on_cloth = may_slide_on_cloth ? slid_on_cloth(input, handles, options.by) : std::nullopt;
-  if (on_cloth && normal_deviation(triangles, input.drape, *on_cloth).flipped.empty()) {
+  if (on_cloth) {
     slid.positions = slid.initial = shape = *on_cloth;
     reference = source_triangles(shape, input.garment.triangles);
     for (const Handle& handle : handles)  // cloth that was added may lie in the body
@@ -105,11 +106,11 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   } else {
     for (const Handle& handle : handles)
       for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);
-    slid = solve_style(scaled_along(input, handles, options.by), triangles, hard, terms.all(), style);
+    slid = solve_style(scaled_along(input, handles, options.by), triangles, hard, terms.all(), style, &memory.style());
   }
   for (const Handle& handle : handles)
     for (const int v : handle.loop) hard.hold(v, slid.positions.col(v));
-  const StyleSolution frozen = solve_style(slid.positions, reference, hard, terms.all(), style);
+  const StyleSolution frozen = solve_style(slid.positions, reference, hard, terms.all(), style, &memory.style());
 
   Slide slide;
   slide.positions = frozen.positions;
@@ -133,18 +134,21 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
 
 }  // namespace
 
-Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
-                       const ContactRegion& contact, const SlideOptions& options) {
-  const auto triangles = source_triangles(input.drape, input.garment.triangles);
+Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handles, const SlideOptions& options,
+                       EditMemory& memory) {
+  auto on_cloth = slid_on_cloth(input, handles, options.by);
+  if (on_cloth && !normal_deviation(source_shape(input, memory), input.drape, *on_cloth).flipped.empty()) on_cloth.reset();
   Slide best;
-  for (const bool on_cloth : {true, false})
+  for (bool again = true; again; on_cloth.reset()) {
+    again = on_cloth.has_value();
     for (const double in_plane_pull : {0.02, 0.1, 0.3}) {
-      Slide slide = slide_once(input, handles, places, contact, triangles, options, in_plane_pull, on_cloth);
+      Slide slide = slide_once(input, handles, options, in_plane_pull, on_cloth, memory);
       const bool better = slide.deviation.flipped.empty();
       const bool enough = better && (slide.settled || in_plane_pull >= 0.1);
       if (better || best.positions.size() == 0) best = std::move(slide);
       if (enough) return best;
     }
+  }
   return best;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "edit/edit_memory.h"
 #include "edit/length/handle.h"
 #include "style/normal_deviation.h"
 #include "style/style_solve.h"
@@ -25,8 +26,7 @@ struct Slide {
   double in_plane_pull = 0;  // the beta that turned no triangle over
 };
 
-// `places` and `contact` of the source drape.
-Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handles, const std::vector<RelativePlace>& places,
-                       const ContactRegion& contact, const SlideOptions& options);
+Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handles, const SlideOptions& options,
+                       EditMemory& memory);
 
 }  // namespace toile

@@ -1,11 +1,11 @@
-#include "drape/fem/elimination.h"
+#include "sparse/elimination.h"
 
 #include <cholmod.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace toile::fem {
+namespace toile {
 namespace {
 
 constexpr double smallest_share = 1 / 24.0;  // of the whole work, that a branch must have to be split into several tasks
@@ -134,4 +134,4 @@ Elimination plan_elimination(int vertices, const std::vector<std::pair<int, int>
   return plan;
 }
 
-}  // namespace toile::fem
+}  // namespace toile

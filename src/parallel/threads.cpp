@@ -1,4 +1,4 @@
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
 
 #include <omp.h>
 
@@ -8,9 +8,9 @@
 #include <mutex>
 #include <thread>
 
-#include "body/in_chunks.h"
+#include "parallel/in_chunks.h"
 
-namespace toile::fem {
+namespace toile {
 
 int thread_count() { return std::clamp(omp_get_max_threads(), 1, 8); }
 
@@ -21,7 +21,7 @@ void in_ranges(int chunks, int count, const std::function<void(int, int, int)>& 
   });
 }
 
-void in_order(const std::vector<std::vector<int>>& before, const std::function<void(int)>& work) {
+void in_order(const std::vector<std::vector<int>>& before, const std::function<void(int)>& work, int threads) {
   const int count = static_cast<int>(before.size());
   std::vector<int> waiting(before.size());
   std::vector<std::vector<int>> after(before.size());
@@ -59,10 +59,10 @@ void in_order(const std::vector<std::vector<int>>& before, const std::function<v
     }
   };
   std::vector<std::thread> helpers;
-  for (int t = 1; t < std::min(thread_count(), count); ++t) helpers.emplace_back(run);
+  for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(run);
   run();
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace toile::fem
+}  // namespace toile

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace toile::fem {
+namespace toile {
 
 class BlockMatrix {
  public:
@@ -31,6 +31,9 @@ class BlockMatrix {
 
   // False when the matrix is not positive definite (to working precision).
   bool factorise();
+  // Smallest over largest squared pivot of the last factorisation, unknowns one by one; about 1e-16 when the matrix is
+  // singular.
+  double pivot_ratio() const;
   // Solution of A y = b with the last factorisation; b and y are 3 x vertices.
   Eigen::Matrix3Xd solve(const Eigen::Matrix3Xd& b) const;
   Eigen::Matrix3Xd multiply(const Eigen::Matrix3Xd& y) const;
@@ -40,4 +43,4 @@ class BlockMatrix {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace toile::fem
+}  // namespace toile

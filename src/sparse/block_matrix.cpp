@@ -1,18 +1,21 @@
-#include "drape/fem/sparse_spd.h"
+#include "sparse/block_matrix.h"
 
 #include <cblas.h>
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 
-#include "drape/fem/elimination.h"
-#include "drape/fem/threads.h"
+#include "parallel/threads.h"
+#include "sparse/elimination.h"
 
 extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* lda, int* info);
 
-namespace toile::fem {
+namespace toile {
 namespace {
+
+constexpr std::size_t threaded_solve = 1'000'000;  // numbers of the factor from which starting threads pays in a solve
 
 // Of the matrix, where it goes in a supernode's panel.
 struct Entry {
@@ -61,6 +64,7 @@ struct BlockMatrix::State {
   Elimination plan;
   std::vector<std::vector<int>> upwards, downwards;  // tasks before each task
   std::vector<Panel> panels;
+  std::size_t factor_size = 0;  // numbers
 
   void make_panels();
   bool eliminate(std::size_t s);
@@ -76,6 +80,7 @@ void BlockMatrix::State::make_panels() {
     panels[s].columns = 3 * node.count;
     panels[s].rows = panels[s].columns + 3 * static_cast<int>(node.below.size());
     panels[s].factor.resize(static_cast<std::size_t>(panels[s].rows) * static_cast<std::size_t>(panels[s].columns));
+    factor_size += panels[s].factor.size();
     panels[s].passing.resize(static_cast<std::size_t>(panels[s].below()));
     for (int k = 0; k < node.count; ++k) of[static_cast<std::size_t>(node.first + k)] = s;
   }
@@ -233,18 +238,32 @@ bool BlockMatrix::factorise() {
   return definite;
 }
 
+double BlockMatrix::pivot_ratio() const {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Panel& panel : state_->panels)
+    for (int k = 0; k < panel.columns; ++k) {
+      const double pivot = panel.factor[static_cast<std::size_t>(k) * static_cast<std::size_t>(panel.rows + 1)];
+      least = std::min(least, pivot * pivot);
+      most = std::max(most, pivot * pivot);
+    }
+  return most > 0 ? least / most : 0;
+}
+
 Eigen::Matrix3Xd BlockMatrix::solve(const Eigen::Matrix3Xd& b) const {
   State& s = *state_;
   Eigen::Matrix3Xd x(3, b.cols());
   for (Eigen::Index v = 0; v < b.cols(); ++v) x.col(s.plan.position[static_cast<std::size_t>(v)]) = b.col(v);
-  in_order(s.upwards, [&](int task) {
+  const int threads = s.factor_size < threaded_solve ? 1 : thread_count();
+  const auto up = [&](int task) {
     for (const int node : s.plan.tasks[static_cast<std::size_t>(task)].supernodes)
       s.forward(static_cast<std::size_t>(node), x.data());
-  });
-  in_order(s.downwards, [&](int task) {
+  };
+  const auto down = [&](int task) {
     const auto& nodes = s.plan.tasks[static_cast<std::size_t>(task)].supernodes;
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) s.backward(static_cast<std::size_t>(*node), x.data());
-  });
+  };
+  in_order(s.upwards, up, threads);
+  in_order(s.downwards, down, threads);
   Eigen::Matrix3Xd y(3, b.cols());
   for (Eigen::Index v = 0; v < b.cols(); ++v) y.col(v) = x.col(s.plan.position[static_cast<std::size_t>(v)]);
   return y;
@@ -264,4 +283,4 @@ Eigen::Matrix3Xd BlockMatrix::multiply(const Eigen::Matrix3Xd& y) const {
   return product;
 }
 
-}  // namespace toile::fem
+}  // namespace toile

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace toile::fem {
+namespace toile {
 
 // Neighbours in the order that have nearly the same rows in the factor; these rows are a dense panel.
 struct Supernode {
@@ -32,4 +32,4 @@ struct Elimination {
 // `pairs`: (smaller, larger) vertex, sorted, without repetition.
 Elimination plan_elimination(int vertices, const std::vector<std::pair<int, int>>& pairs);
 
-}  // namespace toile::fem
+}  // namespace toile
