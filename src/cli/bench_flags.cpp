@@ -10,10 +10,11 @@ namespace {
 
 constexpr const char* help =
     R"(Runs edits of the kinds in Table 1 of the paper (Bartle et al. 2016) on the samples, with about its numbers of triangles, and
-prints both figures beside each other. templates/table1 has the recipes.
+prints both figures beside each other; or one of them on ever finer meshes. templates/table1 and templates/scalability have the
+recipes.
 
 Written to the output folder:
-  table1.csv, table1.txt        the table, for programs and for people
+  TABLE.csv, TABLE.txt          the table, for programs and for people
   stretch.png, hausdorff.png    both by iteration
   ROW/                          for every row what `toile run` writes)";
 
@@ -22,8 +23,8 @@ Written to the output folder:
 Verb add_bench(CLI::App& app) {
   const auto given = std::make_shared<BenchOptions>();
   const auto folder = std::make_shared<FolderFlags>();
-  CLI::App* bench_app = app.add_subcommand("bench", "the paper's Table 1 on the samples");
-  bench_app->add_option("table", given->table, "table1")->required()->check(CLI::IsMember({"table1"}));
+  CLI::App* bench_app = app.add_subcommand("bench", "the paper's Table 1, or its test of scalability, on the samples");
+  bench_app->add_option("table", given->table, "table1 or scalability")->required()->check(CLI::IsMember({"table1", "scalability"}));
   bench_app->add_option("--rows", given->rows, "only these, with commas: \"Fig. 2,Fig. 10\"")->type_name("LIST");
   folder->add_to(bench_app, help);
   return {bench_app, [given, folder] {

@@ -192,8 +192,8 @@ int bench(const BenchOptions& options) {
       all = false;
     }
   }
-  write_whole_file(out.path("table1.csv"), csv(measured));
-  write_whole_file(out.path("table1.txt"), for_people(measured));
+  write_whole_file(out.path(options.table + ".csv"), csv(measured));
+  write_whole_file(out.path(options.table + ".txt"), for_people(measured));
   write_plots(measured, out);
   out.keep();
   std::fputs(for_people(measured).c_str(), stdout);
