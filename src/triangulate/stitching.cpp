@@ -82,4 +82,33 @@ std::vector<int> welded_to(const std::vector<Mating>& matings, const std::vector
   return parent;
 }
 
+MatedSides mated_sides(const std::vector<Mating>& matings, const std::vector<int>& first) {
+  MatedSides mates;
+  const auto side = [&](int panel, const std::vector<int>& run, std::size_t i) {
+    const auto ends = std::minmax(run[i - 1], run[i]);
+    const int shift = first[static_cast<std::size_t>(panel)];
+    return std::pair(shift + ends.first, shift + ends.second);
+  };
+  for (const Mating& mating : matings)
+    for (std::size_t i = 1; i < mating.a.size(); ++i) {
+      const auto a = side(mating.panel_a, mating.a, i), b = side(mating.panel_b, mating.b, i);
+      mates.insert({a.first, a.second, b.first, b.second});
+      mates.insert({b.first, b.second, a.first, a.second});
+    }
+  return mates;
+}
+
+bool sewn_together(const std::vector<std::pair<int, int>>& sides, const MatedSides& mates) {
+  std::vector<bool> reached(sides.size(), false);
+  std::vector<std::size_t> at{0};
+  reached[0] = true;
+  for (std::size_t k = 0; k < at.size(); ++k)
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (!reached[i] && mates.count({sides[at[k]].first, sides[at[k]].second, sides[i].first, sides[i].second}) > 0) {
+        reached[i] = true;
+        at.push_back(i);
+      }
+  return at.size() == sides.size();
+}
+
 }  // namespace toile

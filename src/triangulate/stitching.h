@@ -1,6 +1,9 @@
 #pragma once
 // Which boundary vertices of which panels meet along the seams.
 
+#include <array>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "garment/mesh.h"
@@ -31,5 +34,12 @@ std::vector<Mating> matings(const Pattern& pattern, const std::vector<PanelLoop>
 // For each of `count` vertices, numbered through all panels, the smallest one it is welded to; `first[p]` is added to the
 // vertices of panel p.
 std::vector<int> welded_to(const std::vector<Mating>& matings, const std::vector<int>& first, int count);
+
+// Sides of panels, each from its smaller to its larger vertex as `welded_to` numbers them, that a seam joins, both ways round.
+using MatedSides = std::set<std::array<int, 4>>;
+MatedSides mated_sides(const std::vector<Mating>& matings, const std::vector<int>& first);
+
+// Whether seams lead from the first of some sides to every other: they are meant to meet, however many they are.
+bool sewn_together(const std::vector<std::pair<int, int>>& sides, const MatedSides& mates);
 
 }  // namespace toile
