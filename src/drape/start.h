@@ -14,6 +14,7 @@ namespace toile {
 
 struct Start {
   std::vector<Eigen::Matrix3Xd> placed;  // by panel
+  std::vector<int> layer;                // by panel (layers.h)
   std::vector<double> lift;              // m, by panel, by which those of the trunk were raised
   double narrowed = 1;                   // share of their width beside the trunk that its panels have, so that wide ones are
                                          // sewn between the arms; they unfold while they are sewn
