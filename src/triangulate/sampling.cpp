@@ -133,8 +133,8 @@ std::set<int> accidental_groups(const Pattern& pattern, const std::vector<Interv
       seam_at[static_cast<std::size_t>(first[static_cast<std::size_t>(mating.panel_b)] + v)] = mating.seam;
   }
 
-  struct Side {
-    int from, to, group;
+  struct Side : WeldedSide {
+    int group = 0;
   };
   std::map<std::pair<int, int>, std::vector<Side>> sides;
   for (std::size_t q = 0; q < panels.size(); ++q) {
@@ -142,14 +142,12 @@ std::set<int> accidental_groups(const Pattern& pattern, const std::vector<Interv
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int from = first[q] + static_cast<int>(i), to = first[q] + static_cast<int>((i + 1) % loop.size());
       sides[side(root[static_cast<std::size_t>(from)], root[static_cast<std::size_t>(to)])].push_back(
-          {from, to, group_at(parts, panels[q].piece, loop[i])});
+          {{from, to, static_cast<int>(q), loop[i].edge}, group_at(parts, panels[q].piece, loop[i])});
     }
   }
   std::set<int> groups;
   for (const auto& [ends, alike] : sides) {
-    std::vector<std::pair<int, int>> together;
-    for (const Side& s : alike) together.push_back(side(s.from, s.to));
-    if (ends.first != ends.second && sewn_together(together, mates)) continue;
+    if (ends.first != ends.second && sewn_together({alike.begin(), alike.end()}, mates)) continue;
     for (const Side& s : alike) {
       groups.insert(s.group);
       seam = std::max(seam, std::max(seam_at[static_cast<std::size_t>(s.from)], seam_at[static_cast<std::size_t>(s.to)]));

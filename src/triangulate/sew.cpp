@@ -41,11 +41,11 @@ void check_edges(const Pattern& pattern, const GarmentMesh& garment, const std::
       layered |= ++triangles_at[std::minmax(a, b)] > 2;
     }
   if (!layered) return;
-  std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> sides_at;
+  std::map<std::pair<int, int>, std::vector<WeldedSide>> sides_at;
   for (const BoundarySegment& s : boundary_segments(garment)) {
     const auto p = static_cast<std::size_t>(s.panel);
     sides_at[std::minmax(garment.welded[p](s.from), garment.welded[p](s.to))].push_back(
-        std::minmax(first[p] + s.from, first[p] + s.to));
+        {first[p] + s.from, first[p] + s.to, s.panel, s.edge});
   }
   for (const auto& [ends, count] : triangles_at)
     if (const auto& sides = sides_at[ends]; count > 2 && (sides.size() != count || !sewn_together(sides, mates)))

@@ -98,16 +98,23 @@ MatedSides mated_sides(const std::vector<Mating>& matings, const std::vector<int
   return mates;
 }
 
-bool sewn_together(const std::vector<std::pair<int, int>>& sides, const MatedSides& mates) {
+bool sewn_together(const std::vector<WeldedSide>& sides, const MatedSides& mates) {
+  const auto mated = [&](const WeldedSide& a, const WeldedSide& b) {
+    const auto [a_low, a_high] = std::minmax(a.from, a.to);
+    const auto [b_low, b_high] = std::minmax(b.from, b.to);
+    return mates.count({a_low, a_high, b_low, b_high}) > 0;
+  };
   std::vector<bool> reached(sides.size(), false);
   std::vector<std::size_t> at{0};
   reached[0] = true;
   for (std::size_t k = 0; k < at.size(); ++k)
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (!reached[i] && mates.count({sides[at[k]].first, sides[at[k]].second, sides[i].first, sides[i].second}) > 0) {
-        reached[i] = true;
-        at.push_back(i);
-      }
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const WeldedSide &here = sides[at[k]], &there = sides[i];
+      if (i != at[k] && here.panel == there.panel && here.edge == there.edge && !mated(here, there)) return false;
+      if (reached[i] || !mated(here, there)) continue;
+      reached[i] = true;
+      at.push_back(i);
+    }
   return at.size() == sides.size();
 }
 

@@ -39,7 +39,13 @@ std::vector<int> welded_to(const std::vector<Mating>& matings, const std::vector
 using MatedSides = std::set<std::array<int, 4>>;
 MatedSides mated_sides(const std::vector<Mating>& matings, const std::vector<int>& first);
 
-// Whether seams lead from the first of some sides to every other: they are meant to meet, however many they are.
-bool sewn_together(const std::vector<std::pair<int, int>>& sides, const MatedSides& mates);
+// A side of a panel's boundary, numbered likewise, and which panel edge it is on.
+struct WeldedSide {
+  int from = 0, to = 0, panel = 0, edge = 0;
+};
+
+// Whether sides that meet are meant to, however many they are: seams lead from one to every other, and two on one edge are sewn
+// to each other, as where it is folded.
+bool sewn_together(const std::vector<WeldedSide>& sides, const MatedSides& mates);
 
 }  // namespace toile
