@@ -186,7 +186,7 @@ Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh&
                     .sweeps = options.sweeps,
                     .body_offset = options.body_offset,
                     .closed_gap = options.closed_gap,
-                    .unfold = start.narrowed < 1 || start.gathered,
+                    .unfold = start.narrowed < 1 || start.gathered || start.widened,
                     .progress = options.progress};
   if (most_gathered(pattern) > gathered) {
     sewing.thickness = 1e-3;

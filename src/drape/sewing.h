@@ -40,7 +40,8 @@ struct SewOptions {
   double thickness = 2e-3;     // m, kept between two layers of cloth
   double bending_share = .05;  // of a sweep
   double closed_gap = 2e-3;    // m
-  bool unfold = false;  // panels start narrower than they are cut and take their shape when the stitches are nearly closed
+  bool unfold =
+      false;  // panels start narrower or wider than they are cut and take their shape when the stitches are nearly closed
   std::function<void(int step, int steps)> progress = {};
 };
 

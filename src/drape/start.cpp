@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "body/relative.h"
 #include "collide/intersections.h"
 #include "collide/near_pairs.h"
+#include "drape/flat_layers.h"
 #include "drape/layers.h"
 #include "drape/limb_panels.h"
 #include "drape/placement.h"
@@ -22,7 +22,6 @@ constexpr double clearance = 0.01;    // m, between a flat panel and the body
 constexpr double step = 0.01;         // m
 constexpr double most_lift = 0.15;    // m
 constexpr double touching = 1e-3;     // m
-constexpr double layer_gap = 0.02;    // m, between flat panels of two layers
 constexpr double sleeve_gap = 5e-3;   // m, likewise of sleeves
 constexpr double facing_alike = 0.5;  // cosine
 constexpr std::array<double, 4> narrower{.7, .5, .3, .15};
@@ -48,26 +47,7 @@ void move_clear(const Body& body, const Eigen::Vector3d& outside, Eigen::Matrix3
   for (double moved = 0; moved < 0.3 && least_distance(body, x) < clearance; moved += step) x.colwise() += step * outside;
 }
 
-// Likewise, until it is clear of a panel under it that it would lie on.
-void move_outside(const Eigen::Matrix3Xd& inner, const Eigen::Vector3d& outside, Eigen::Matrix3Xd& x) {
-  for (const Eigen::Vector3d& across :
-       {Eigen::Vector3d(Eigen::Vector3d::UnitY()), Eigen::Vector3d(outside.cross(Eigen::Vector3d::UnitY()))}) {
-    const Eigen::RowVectorXd own = across.transpose() * x, other = across.transpose() * inner;
-    if (own.minCoeff() > other.maxCoeff() || own.maxCoeff() < other.minCoeff()) return;
-  }
-  const double lack = (outside.transpose() * inner).maxCoeff() + layer_gap - (outside.transpose() * x).minCoeff();
-  if (lack > 0) x.colwise() += lack * outside;
-}
-
 int outermost(const std::vector<int>& layer) { return layer.empty() ? 0 : *std::max_element(layer.begin(), layer.end()); }
-
-// Panels from the body outwards, those of one layer in their own order.
-std::vector<std::size_t> from_inside(const std::vector<int>& layer) {
-  std::vector<std::size_t> order(layer.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return layer[a] < layer[b]; });
-  return order;
-}
 
 int blocked_stitches(const LoosePanels& cloth, const Body& body) {
   int blocked = 0;
@@ -207,12 +187,24 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
   const double ankles = has_legs(garment, start.placed, body.form) ? ankle_height(body.form) : -1e9;
   const auto raised = [&](const std::vector<double>& lift, double narrowed) {
     auto placed = start.placed;
-    for (const std::size_t p : outwards)
+    for (std::size_t p = 0; p < count; ++p)
       if (lifted[p]) {
         placed[p].row(1).array() += lift[p];
         for (double& x : placed[p].row(0))
           if (std::abs(x) > kept) x = std::copysign(kept + narrowed * (std::abs(x) - kept), x);
         gather_above(ankles, knee, placed[p]);
+      }
+    for (int layer = 1; layer <= outermost(start.layer); ++layer) {
+      std::vector<const Eigen::Matrix3Xd*> inner, outer;
+      for (std::size_t p = 0; p < count; ++p)
+        if (lifted[p] && start.layer[p] <= layer) (start.layer[p] < layer ? inner : outer).push_back(&placed[p]);
+      const double wider = widening(inner, outer);
+      start.widened = start.widened || wider > 1;
+      for (std::size_t p = 0; p < count; ++p)
+        if (lifted[p] && start.layer[p] == layer) placed[p].row(0) *= wider;
+    }
+    for (const std::size_t p : outwards)
+      if (lifted[p]) {
         move_clear(body, outside[p], placed[p]);
         for (std::size_t inner = 0; inner < count; ++inner)
           if (lifted[inner] && start.layer[inner] < start.layer[p] && outside[inner].dot(outside[p]) > facing_alike)
