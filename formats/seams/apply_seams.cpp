@@ -137,12 +137,14 @@ void look_for_double_seams(const Pattern& pattern, std::size_t first, Sidecar& s
     std::string seam;
   };
   std::map<std::tuple<std::string, int, std::string>, std::vector<Use>> uses;
+  std::set<std::pair<std::string, std::string>> said;  // once for all copies and parts of an edge
   for (std::size_t i = 0; i < pattern.seams.size(); ++i)
     for (const EdgeSpan* span : {&pattern.seams[i].a, &pattern.seams[i].b}) {
       const Use use{std::min(span->begin, span->end), std::max(span->begin, span->end), pattern.seams[i].name};
       auto& others = uses[{span->piece, span->copy, span->edge}];
       for (const Use& other : others)
-        if (i >= first && std::min(use.high, other.high) - std::max(use.low, other.low) > 1e-6)
+        if (i >= first && std::min(use.high, other.high) - std::max(use.low, other.low) > 1e-6 &&
+            said.emplace(span->piece, span->edge).second)
           sidecar.report.note("seam.edge-twice", sidecar.file,
                               "edge '" + span->edge + "' of piece '" + span->piece + "', copy " + std::to_string(span->copy) +
                                   ", is sewn in '" + other.seam + "' and again in '" + use.seam +
