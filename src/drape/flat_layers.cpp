@@ -9,9 +9,11 @@
 namespace toile {
 namespace {
 
-constexpr double gap = 0.02;   // m, between flat panels of two layers
-constexpr double past = 0.10;  // m, that an outer panel reaches past those under it on either side: they sway
-constexpr double row = 0.03;   // m
+constexpr double gap = 0.02;        // m, between flat panels of two layers
+constexpr double past = 0.10;       // m, that an outer panel reaches past those under it on either side: they sway
+constexpr double row = 0.03;        // m
+constexpr double at_middle = 0.08;  // m, from x = 0
+constexpr double across = 0.03;     // m
 constexpr double most_wider = 1.8;
 
 // Farthest from x = 0 by height.
@@ -49,6 +51,18 @@ double widening(const std::vector<const Eigen::Matrix3Xd*>& inner, const std::ve
   for (const auto& [height, own] : reach(outer))
     if (const auto at = under.find(height); at != under.end() && own > 0) factor = std::max(factor, (at->second + past) / own);
   return std::min(factor, most_wider);
+}
+
+void widen(double factor, Eigen::Matrix3Xd& x) {
+  if (factor <= 1) return;
+  const double low = x.row(0).minCoeff(), high = x.row(0).maxCoeff();
+  const double side = low + high > 0 ? 1 : -1;  // of the middle
+  const double near = side > 0 ? low : -high, far = side > 0 ? high : -low;
+  const bool ends_there = std::abs(near) < at_middle && far > 2 * at_middle;
+  for (double& at : x.row(0)) {
+    const double share = (side * at - near) / (far - near);
+    at = ends_there ? side * std::lerp(near - across, factor * far, share) : factor * at;
+  }
 }
 
 }  // namespace toile

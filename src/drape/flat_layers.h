@@ -18,4 +18,8 @@ void move_outside(const Eigen::Matrix3Xd& inner, const Eigen::Vector3d& outside,
 // unfold).
 double widening(const std::vector<const Eigen::Matrix3Xd*>& inner, const std::vector<const Eigen::Matrix3Xd*>& outer);
 
+// Widens a panel so. One that ends at the middle, such as half of a skirt or a trouser leg, is carried a little across it: the
+// seam there closes outside what is under it too.
+void widen(double factor, Eigen::Matrix3Xd& x);
+
 }  // namespace toile

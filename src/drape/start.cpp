@@ -201,7 +201,7 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
       const double wider = widening(inner, outer);
       start.widened = start.widened || wider > 1;
       for (std::size_t p = 0; p < count; ++p)
-        if (lifted[p] && start.layer[p] == layer) placed[p].row(0) *= wider;
+        if (lifted[p] && start.layer[p] == layer) widen(wider, placed[p]);
     }
     for (const std::size_t p : outwards)
       if (lifted[p]) {
