@@ -11,6 +11,7 @@
 #include "collide/intersections.h"
 #include "drape/dress.h"
 #include "drape/fem/bending.h"
+#include "drape/flat_layers.h"
 #include "drape/mass_spring/cloth.h"
 #include "drape/placement.h"
 #include "drape/simulator.h"
@@ -185,6 +186,30 @@ TEST(Layers, AnApronHasNoOpening) {
   const Dressed dressed = dress(pattern, garment, figure_body());
   EXPECT_TRUE(dressed.report.ok()) << in_words(dressed.report.findings.at(0));
   EXPECT_EQ(dressed.openings.size(), 2u);
+}
+
+TEST(FlatLayers, ReachPastWhatIsUnderThemAndStandOutsideIt) {
+  Eigen::Matrix3Xd inner(3, 4), outer(3, 4), half(3, 2);
+  inner << -.3, .3, .3, -.3, .5, .5, 1, 1, .2, .2, .2, .2;
+  outer << -.25, .25, .25, -.25, .5, .5, 1, 1, .1, .1, .1, .1;
+  const double wider = widening({&inner}, {&outer});
+  EXPECT_GT(wider * .25, .3);
+  widen(wider, outer);
+  EXPECT_NEAR(outer(0, 1), wider * .25, 1e-12);
+  EXPECT_NEAR(outer(0, 0), -wider * .25, 1e-12);
+  move_outside(inner, Eigen::Vector3d::UnitZ(), outer);
+  EXPECT_GT(outer.row(2).minCoeff(), inner.row(2).maxCoeff());
+  half << 0, .25, 1, 1, 0, 0;  // goes a little across the middle
+  widen(1.2, half);
+  EXPECT_LT(half(0, 0), 0);
+  EXPECT_NEAR(half(0, 1), .3, 1e-12);
+  // Beside each other nothing moves.
+  Eigen::Matrix3Xd below = outer;
+  below.row(1).array() -= 2;
+  const Eigen::Matrix3Xd before = below;
+  move_outside(inner, Eigen::Vector3d::UnitZ(), below);
+  EXPECT_EQ(below, before);
+  EXPECT_EQ(widening({&inner}, {&below}), 1);
 }
 
 TEST(Stitches, OfAnOuterLayerWaitForThoseUnderIt) {
