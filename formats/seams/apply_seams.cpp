@@ -86,9 +86,10 @@ void read_allowances(const TomlNode& entry, Piece& piece, Sidecar& sidecar) {
 }
 
 void read_piece(const TomlNode& entry, Pattern& pattern, std::set<std::string>& seen, Sidecar& sidecar) {
-  refuse_unknown_keys(
-      entry, {"name", "copies", "mirrored_copies", "sewn", "edges", "start", "hems", "allowance", "allowances", "on", "place"},
-      sidecar.file, "seam.unknown-key", sidecar.report);
+  refuse_unknown_keys(entry,
+                      {"name", "copies", "mirrored_copies", "sewn", "layer", "edges", "start", "hems", "allowance",
+                       "allowances", "on", "place"},
+                      sidecar.file, "seam.unknown-key", sidecar.report);
   const TomlNode* name_node = find(entry, "name");
   const auto name = name_node ? text_of(*name_node, sidecar) : std::nullopt;
   if (!name) {
@@ -112,6 +113,8 @@ void read_piece(const TomlNode& entry, Pattern& pattern, std::set<std::string>& 
   read_copies(entry, piece, sidecar);
   if (const TomlNode* sewn = find(entry, "sewn"))
     if (const auto is = truth_of(*sewn, sidecar)) piece.sewn = *is;
+  if (const TomlNode* layer = find(entry, "layer"))
+    if (const auto number = count_of(*layer, sidecar)) piece.layer = *number;
   name_edges(entry, piece, sidecar);
   read_hems(entry, piece, sidecar);
   read_allowances(entry, piece, sidecar);
@@ -127,23 +130,26 @@ void refuse_seams_of_unsewn(const Pattern& pattern, Sidecar& sidecar) {
                              "Take 'sewn = false' from the piece, or take away its seams");
 }
 
-// A run of an edge that takes part in more than one seam is nearly always a slip.
+// A run of an edge that takes part in more than one seam: several pieces in one seam, or a slip.
 void look_for_double_seams(const Pattern& pattern, std::size_t first, Sidecar& sidecar) {
   struct Use {
     double low, high;
     std::string seam;
   };
   std::map<std::tuple<std::string, int, std::string>, std::vector<Use>> uses;
+  std::set<std::pair<std::string, std::string>> said;  // once for all copies and parts of an edge
   for (std::size_t i = 0; i < pattern.seams.size(); ++i)
     for (const EdgeSpan* span : {&pattern.seams[i].a, &pattern.seams[i].b}) {
       const Use use{std::min(span->begin, span->end), std::max(span->begin, span->end), pattern.seams[i].name};
       auto& others = uses[{span->piece, span->copy, span->edge}];
       for (const Use& other : others)
-        if (i >= first && std::min(use.high, other.high) - std::max(use.low, other.low) > 1e-6)
-          sidecar.report.warn("seam.edge-twice", sidecar.file,
+        if (i >= first && std::min(use.high, other.high) - std::max(use.low, other.low) > 1e-6 &&
+            said.emplace(span->piece, span->edge).second)
+          sidecar.report.note("seam.edge-twice", sidecar.file,
                               "edge '" + span->edge + "' of piece '" + span->piece + "', copy " + std::to_string(span->copy) +
-                                  ", is sewn in '" + other.seam + "' and again in '" + use.seam + "'",
-                              "Give each seam its own run, such as [0..1/2] and [1/2..1]");
+                                  ", is sewn in '" + other.seam + "' and again in '" + use.seam +
+                                  "': the pieces meet in one seam, what is sewn later outside, unless 'layer' says otherwise",
+                              "If that is not meant, give each seam its own run, such as [0..1/2] and [1/2..1]");
       others.push_back(use);
     }
 }

@@ -51,6 +51,7 @@ std::string piece_text(const Piece& piece) {
   std::string text = "\n[[piece]]\nname = " + toml_quoted(piece.name) + "\ncopies = " + std::to_string(piece.quantity) + "\n";
   if (piece.mirrored_quantity) text += "mirrored_copies = " + std::to_string(piece.mirrored_quantity) + "\n";
   if (!piece.sewn) text += "sewn = false\n";
+  if (piece.layer) text += "layer = " + std::to_string(*piece.layer) + "\n";
   if (!piece.outline.empty()) {
     const Start start = start_of(piece);
     std::vector<std::string> names, hems;

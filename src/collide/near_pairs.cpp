@@ -114,7 +114,8 @@ NearPair pair_of(const Eigen::Matrix3Xd& x, std::array<int, 4> vertex, int first
 CollisionMesh collision_mesh(const Eigen::Matrix3Xi& triangles, int vertex_count, std::vector<int> group) {
   CollisionMesh mesh;
   mesh.triangles = triangles;
-  const auto edges = mesh_edges(triangles);
+  auto edges = mesh_edges(triangles);
+  edges.erase(std::remove_if(edges.begin(), edges.end(), [](const MeshEdge& edge) { return edge.further != -1; }), edges.end());
   mesh.edges.resize(2, static_cast<Eigen::Index>(edges.size()));
   for (std::size_t e = 0; e < edges.size(); ++e)
     mesh.edges.col(static_cast<Eigen::Index>(e)) << edges[e].vertex[0], edges[e].vertex[1];

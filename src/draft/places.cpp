@@ -1,8 +1,8 @@
 #include "draft/places.h"
 
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "garment/welds.h"
 
@@ -13,11 +13,12 @@ double length(const Eigen::Matrix2Xd& at, const BoundarySegment& segment) {
   return (at.col(segment.to) - at.col(segment.from)).norm();
 }
 
-// Own edge, and the panel and edge it is sewn to.
-std::array<int, 4> sewing_of(const BoundarySegment& segment, const std::vector<BoundarySegment>& all) {
-  if (segment.mates.empty()) return {segment.panel, segment.edge, -1, -1};
-  const BoundarySegment& mate = all[static_cast<std::size_t>(segment.mates.front())];
-  return {segment.panel, segment.edge, mate.panel, mate.edge};
+// Own panel and edge, and those it is sewn to.
+std::vector<std::pair<int, int>> sewing_of(const BoundarySegment& segment, const std::vector<BoundarySegment>& all) {
+  std::vector<std::pair<int, int>> edges{{segment.panel, segment.edge}};
+  for (const int mate : segment.mates)
+    edges.emplace_back(all[static_cast<std::size_t>(mate)].panel, all[static_cast<std::size_t>(mate)].edge);
+  return edges;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ std::array<int, 4> sewing_of(const BoundarySegment& segment, const std::vector<B
 std::vector<std::vector<double>> places_on_outline(const GarmentMesh& garment, const RestShape& like) {
   const std::vector<BoundarySegment> segments = boundary_segments(garment);
   const std::size_t count = segments.size();
-  // A stretch: neighbouring segments of one edge sewn to one edge. Shares of its length by segment.
+  // A stretch: neighbouring segments of one edge sewn to the same edges. Shares of its length by segment.
   std::vector<std::vector<std::size_t>> stretches;
   for (std::size_t first = 0; first < count;) {
     std::size_t end = first;

@@ -180,12 +180,13 @@ bool mended(const LoosePanels& cloth, const GarmentMesh& garment, const Body& bo
 Dressed sewn_from(const Start& start, const Pattern& pattern, const GarmentMesh& garment, const Body& body,
                   const DressOptions& options) {
   LoosePanels cloth = loose_panels(garment, start.placed);
+  for (const int panel : cloth.panel) cloth.layer.push_back(start.layer[static_cast<std::size_t>(panel)]);
   SewOptions sewing{.shrinking_steps = options.shrinking_steps,
                     .holding_steps = options.holding_steps,
                     .sweeps = options.sweeps,
                     .body_offset = options.body_offset,
                     .closed_gap = options.closed_gap,
-                    .unfold = start.narrowed < 1 || start.gathered,
+                    .unfold = start.narrowed < 1 || start.gathered || start.widened,
                     .progress = options.progress};
   if (most_gathered(pattern) > gathered) {
     sewing.thickness = 1e-3;

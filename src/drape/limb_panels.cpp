@@ -129,14 +129,15 @@ std::optional<std::size_t> arm_of(const FlatPanel& panel, const std::vector<ArmL
   return std::nullopt;
 }
 
-std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector<FlatPanel>& panels, const Body& body) {
+std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector<FlatPanel>& panels, const Body& body,
+                                           double least) {
   const ArmFrame frame = frame_of(arm);
   std::vector<LaidOut> laid;
   for (const FlatPanel& panel : panels) laid.push_back(lay_out(panel, frame));
   face_to_face(laid);
   spread_along(laid);
   // A panel with another across the arm from it has half of the circle, one that is alone all of it.
-  double radius = least_radius * body.form.height / 1.68;
+  double radius = std::max(least, least_radius * body.form.height / 1.68);
   for (const LaidOut& panel : laid) {
     const bool shared = std::any_of(laid.begin(), laid.end(), [&](const LaidOut& other) {
       return angle_between(panel.towards, other.towards) > std::numbers::pi / 2;
@@ -157,6 +158,13 @@ std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector
       if (clear) return rolled;
     }
   return rolled;
+}
+
+double radius_round(const ArmLine& arm, const Eigen::Matrix3Xd& positions) {
+  const Eigen::Vector3d along = (arm.wrist - arm.shoulder).normalized();
+  double radius = 0;
+  for (const auto& at : positions.colwise()) radius = std::max(radius, along.cross(at - arm.shoulder).norm());
+  return radius;
 }
 
 }  // namespace toile

@@ -33,7 +33,11 @@ std::optional<std::size_t> arm_of(const FlatPanel& panel, const std::vector<ArmL
 
 // Front and back panels of one arm, each bent isometrically to a part of a cylinder round the arm's line that is clear of the
 // body and of the other panels of the arm. The pattern axis nearest to the line is turned into it, so that another pose than
-// the one the pattern was placed for will do.
-std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector<FlatPanel>& panels, const Body& body);
+// the one the pattern was placed for will do. `least`: m, radius at least.
+std::vector<Eigen::Matrix3Xd> rolled_round(const ArmLine& arm, const std::vector<FlatPanel>& panels, const Body& body,
+                                           double least = 0);
+
+// m, farthest of some cloth from the arm's line.
+double radius_round(const ArmLine& arm, const Eigen::Matrix3Xd& positions);
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "body/relative.h"
 #include "collide/links.h"
@@ -132,7 +133,17 @@ std::vector<Opening> openings(const GarmentMesh& garment, const Eigen::Matrix3Xd
   for (const LimbChain& chain : chains) ways.push_back(free_way(chain, garment, positions));
   const auto segments = boundary_segments(garment);
   std::vector<Opening> all;
+  std::set<std::pair<int, int>> free_edges;
+  for (const BoundarySegment& segment : segments) {
+    const Eigen::VectorXi& welded = garment.welded[static_cast<std::size_t>(segment.panel)];
+    if (segment.mates.empty()) free_edges.insert(std::minmax(welded(segment.from), welded(segment.to)));
+  }
   for (const auto& loop : boundary_loops(garment.triangles)) {
+    // A layer that hangs open from a seam of others, such as an apron, has an edge all round and no opening.
+    bool open = true;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      open = open && free_edges.count(std::minmax(loop[i], loop[(i + 1) % loop.size()])) > 0;
+    if (!open) continue;
     Opening opening{.loop = loop};
     const std::set<int> on_loop(loop.begin(), loop.end());
     std::set<int> panels;

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "drape/layers.h"
 #include "drape/side_by_side.h"
 
 namespace toile {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double clearance = 0.01;  // m, between the body and a rolled panel
 constexpr double side_gap = 0.01;   // m, between panels side by side
+constexpr double layer_gap = 0.02;  // m, between panels of two layers
 
 // Axes of a body part at the height where panels begin: `up` along the part towards its root, `front` and `left` across it.
 struct PartFrame {
@@ -95,6 +97,19 @@ Radii body_radii(const Mannequin& form, const PartFrame& frame, std::size_t rows
   return radii;
 }
 
+// Widens the circles where a panel of a layer under them goes round.
+void clear_of_layer(const Eigen::Matrix3Xd& inner, const PartFrame& frame, Radii& radii) {
+  for (Eigen::Index v = 0; v < inner.cols(); ++v) {
+    const Eigen::Vector3d from = inner.col(v) - frame.origin;
+    const double along = from.dot(frame.up);
+    const double needed = (from - along * frame.up).norm() + layer_gap;
+    for (const double reach : {-row_height, 0.0, row_height}) {
+      const double below = reach - along;
+      if (below >= 0 && row_of(below) < radii.size()) radii[row_of(below)] = std::max(radii[row_of(below)], needed);
+    }
+  }
+}
+
 // How far a panel (grain upright) reaches from its middle, by row below its top, and in the rows above and below that.
 RolledPanel reach_of(const PanelMesh& panel, const Eigen::Matrix2Xd& flat, double angle) {
   const double top = flat.row(1).maxCoeff();
@@ -152,7 +167,8 @@ std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const Garment
   std::vector<Eigen::Matrix3Xd> placed(garment.panels.size());
   // Panels of one part and level go round it side by side: at every height on a circle that has room for them and clears the
   // body.
-  std::map<std::tuple<std::string, std::string, double>, std::vector<std::size_t>> levels;
+  std::map<std::tuple<int, std::string, std::string, double>, std::vector<std::size_t>> levels;
+  const std::vector<int> layers = panel_layers(pattern, garment);
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const PanelMesh& panel = garment.panels[p];
     const Piece& piece = pattern.pieces[static_cast<std::size_t>(panel.piece)];
@@ -163,7 +179,7 @@ std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const Garment
       placed[p] = (piece.placement[copy]->rotation * flat).colwise() + piece.placement[copy]->translation;
     } else if (copy < piece.body_part.size() && piece.body_part[copy]) {
       const BodyPart& part = *piece.body_part[copy];
-      levels[{part.part, part.level, part.drop}].push_back(p);
+      levels[{layers[p], part.part, part.level, part.drop}].push_back(p);
     } else {
       throw BadInput({"drape.no-placement", Severity::error, "piece '" + panel.name + "'",
                       "nothing says where on the body this piece sits",
@@ -188,6 +204,9 @@ std::vector<Eigen::Matrix3Xd> place_panels(const Pattern& pattern, const Garment
     if (part.part.rfind("leg", 0) == 0) frame.origin += higher * frame.up;
     Radii radii = body_radii(body.form, frame, rows, trunk);
     for (double& radius : radii) radius += clearance;
+    for (const auto& [under, inner] : levels)
+      for (const std::size_t p : inner)
+        if (std::get<0>(under) < std::get<0>(level) && std::get<1>(under) == part.part) clear_of_layer(placed[p], frame, radii);
     give_room(sides, side_gap, radii);
     for (std::size_t i = 0; i < panels.size(); ++i) placed[panels[i]] = rolled(flats[i], frame, radii, sides[i].angle);
   }

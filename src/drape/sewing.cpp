@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "collide/truncation.h"
+#include "drape/stitches.h"
 #include "geometry/topology.h"
 
 namespace toile {
@@ -35,25 +36,6 @@ void hold_length(Eigen::Matrix3Xd& x, const Tie& tie, double stretch_share, doub
   const Eigen::Vector3d move = share / 2 * (1 - tie.length / length) * apart;
   x.col(tie.a) += move;
   x.col(tie.b) -= move;
-}
-
-Eigen::Vector3d middle_of(const std::vector<int>& group, const Eigen::Matrix3Xd& x) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const int v : group) middle += x.col(v);
-  return middle / static_cast<double>(group.size());
-}
-
-// Brings every stitched vertex to within `open` of its starting distance from the stitch's middle.
-void pull_stitches(const LoosePanels& cloth, const std::vector<double>& start, double open, Eigen::Matrix3Xd& x) {
-  for (const auto& group : cloth.stitched) {
-    const Eigen::Vector3d middle = middle_of(group, x);
-    for (const int v : group) {
-      const Eigen::Vector3d apart = x.col(v) - middle;
-      const double length = apart.norm();
-      const double allowed = open * start[static_cast<std::size_t>(v)];
-      if (length > allowed) x.col(v) -= (1 - allowed / length) * apart;
-    }
-  }
 }
 
 // Where cloth can meet the body in this step: vertices, and edges and triangles whose middles are held out as well, because
@@ -229,13 +211,11 @@ std::vector<double> stitch_gaps(const LoosePanels& cloth) {
 
 void draw_together(const SewOptions& options, const Body& body, LoosePanels& cloth) {
   Eigen::Matrix3Xd& x = cloth.positions;
-  std::vector<double> start(static_cast<std::size_t>(x.cols()), 0.0);
-  for (const auto& group : cloth.stitched)
-    for (const int v : group) start[static_cast<std::size_t>(v)] = (x.col(v) - middle_of(group, x)).norm();
+  Stitches stitches(cloth, options.shrinking_steps);
   Mover mover(cloth);
   Unfolding ties(cloth, options.unfold);
   Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd::Zero(3, x.cols());
-  const int steps = options.shrinking_steps + options.holding_steps;
+  const int steps = stitches.layers() * options.shrinking_steps + options.holding_steps;
   double gap = 0;
   double gap_before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < steps + options.longest_hold; ++step) {
@@ -244,8 +224,8 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
       if (gap > 0.7 * gap_before) break;  // stuck
       gap_before = gap;
     }
-    const double t = std::min(1.0, static_cast<double>(step + 1) / options.shrinking_steps);
-    const double open = 1 - smooth_step(t);
+    stitches.begin(step, x);
+    const double t = stitches.outermost() ? stitches.share() : 0;
     if (options.unfold) ties.go_to(smooth_step(std::max(0.0, (t - unfolding_from) / (1 - unfolding_from))));
     const Eigen::Matrix3Xd before = x;
     const auto& pairs = mover.pairs(x);
@@ -256,7 +236,7 @@ void draw_together(const SewOptions& options, const Body& body, LoosePanels& clo
       for (const Tie& bend : ties.bends) hold_length(to, bend, options.bending_share, options.bending_share);
       part_layers(pairs, options.thickness, to);
       push_out(body, options.body_offset, near, (options.sweeps - sweep) % 4 == 1, to);
-      pull_stitches(cloth, start, open, to);
+      stitches.pull(to);
     }
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
       const Eigen::Vector3d move = to.col(v) - before.col(v);

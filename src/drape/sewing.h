@@ -25,13 +25,14 @@ struct LoosePanels {
   std::vector<Tie> edges;                  // of the triangles
   std::vector<Tie> bends;                  // corners off an inner edge
   std::vector<std::vector<int>> stitched;  // vertices that become one
+  std::vector<int> layer;                  // by vertex (layers.h), sewn one after the other; empty: one layer
 };
 
 // `placed`: start positions by panel.
 LoosePanels loose_panels(const GarmentMesh& garment, const std::vector<Eigen::Matrix3Xd>& placed);
 
 struct SewOptions {
-  int shrinking_steps = 150;   // over which every stitch shortens to nothing
+  int shrinking_steps = 150;   // of each layer, over which its stitches shorten to nothing
   int holding_steps = 60;      // with the stitches closed
   int longest_hold = 240;      // while a stitch is still closing
   int sweeps = 10;             // of the constraints per step
@@ -39,7 +40,8 @@ struct SewOptions {
   double thickness = 2e-3;     // m, kept between two layers of cloth
   double bending_share = .05;  // of a sweep
   double closed_gap = 2e-3;    // m
-  bool unfold = false;  // panels start narrower than they are cut and take their shape when the stitches are nearly closed
+  bool unfold =
+      false;  // panels start narrower or wider than they are cut and take their shape when the stitches are nearly closed
   std::function<void(int step, int steps)> progress = {};
 };
 

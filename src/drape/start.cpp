@@ -9,6 +9,8 @@
 #include "body/relative.h"
 #include "collide/intersections.h"
 #include "collide/near_pairs.h"
+#include "drape/flat_layers.h"
+#include "drape/layers.h"
 #include "drape/limb_panels.h"
 #include "drape/placement.h"
 #include "geometry/topology.h"
@@ -16,10 +18,12 @@
 namespace toile {
 namespace {
 
-constexpr double clearance = 0.01;  // m, between a flat panel and the body
-constexpr double step = 0.01;       // m
-constexpr double most_lift = 0.15;  // m
-constexpr double touching = 1e-3;   // m
+constexpr double clearance = 0.01;    // m, between a flat panel and the body
+constexpr double step = 0.01;         // m
+constexpr double most_lift = 0.15;    // m
+constexpr double touching = 1e-3;     // m
+constexpr double sleeve_gap = 5e-3;   // m, likewise of sleeves
+constexpr double facing_alike = 0.5;  // cosine
 constexpr std::array<double, 4> narrower{.7, .5, .3, .15};
 constexpr double above_ankle = 0.025;   // of the body's height: over the instep
 constexpr double beside_middle = 0.03;  // of the body's height
@@ -42,6 +46,8 @@ double least_distance(const Body& body, const Eigen::Matrix3Xd& x) {
 void move_clear(const Body& body, const Eigen::Vector3d& outside, Eigen::Matrix3Xd& x) {
   for (double moved = 0; moved < 0.3 && least_distance(body, x) < clearance; moved += step) x.colwise() += step * outside;
 }
+
+int outermost(const std::vector<int>& layer) { return layer.empty() ? 0 : *std::max_element(layer.begin(), layer.end()); }
 
 int blocked_stitches(const LoosePanels& cloth, const Body& body) {
   int blocked = 0;
@@ -154,11 +160,24 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
     else
       lifted[p] = 1;
   }
+  start.layer = panel_layers(pattern, garment);
+  const std::vector<std::size_t> outwards = from_inside(start.layer);
   for (std::size_t arm = 0; arm < arms.size(); ++arm) {
-    std::vector<FlatPanel> panels;
-    for (const std::size_t p : on_arm[arm]) panels.push_back(flat[p]);
-    const auto rolled = rolled_round(arms[arm], panels, body);
-    for (std::size_t i = 0; i < panels.size(); ++i) start.placed[on_arm[arm][i]] = rolled[i];
+    double least = 0;
+    for (int layer = 0; layer <= outermost(start.layer); ++layer) {
+      std::vector<FlatPanel> panels;
+      std::vector<std::size_t> of_layer;
+      for (const std::size_t p : on_arm[arm])
+        if (start.layer[p] == layer) {
+          of_layer.push_back(p);
+          panels.push_back(flat[p]);
+        }
+      const auto rolled = rolled_round(arms[arm], panels, body, least);
+      for (std::size_t i = 0; i < panels.size(); ++i) {
+        start.placed[of_layer[i]] = rolled[i];
+        least = std::max(least, radius_round(arms[arm], rolled[i]) + sleeve_gap);
+      }
+    }
     for (const std::size_t p : on_arm[arm]) outside[p] = (arms[arm].wrist - arms[arm].shoulder).normalized();
   }
 
@@ -174,7 +193,22 @@ Start start_positions(const Pattern& pattern, const GarmentMesh& garment, const 
         for (double& x : placed[p].row(0))
           if (std::abs(x) > kept) x = std::copysign(kept + narrowed * (std::abs(x) - kept), x);
         gather_above(ankles, knee, placed[p]);
+      }
+    for (int layer = 1; layer <= outermost(start.layer); ++layer) {
+      std::vector<const Eigen::Matrix3Xd*> inner, outer;
+      for (std::size_t p = 0; p < count; ++p)
+        if (lifted[p] && start.layer[p] <= layer) (start.layer[p] < layer ? inner : outer).push_back(&placed[p]);
+      const double wider = widening(inner, outer);
+      start.widened = start.widened || wider > 1;
+      for (std::size_t p = 0; p < count; ++p)
+        if (lifted[p] && start.layer[p] == layer) widen(wider, placed[p]);
+    }
+    for (const std::size_t p : outwards)
+      if (lifted[p]) {
         move_clear(body, outside[p], placed[p]);
+        for (std::size_t inner = 0; inner < count; ++inner)
+          if (lifted[inner] && start.layer[inner] < start.layer[p] && outside[inner].dot(outside[p]) > facing_alike)
+            move_outside(placed[inner], outside[p], placed[p]);
       }
     return placed;
   };

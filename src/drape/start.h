@@ -14,9 +14,11 @@ namespace toile {
 
 struct Start {
   std::vector<Eigen::Matrix3Xd> placed;  // by panel
+  std::vector<int> layer;                // by panel (layers.h)
   std::vector<double> lift;              // m, by panel, by which those of the trunk were raised
   double narrowed = 1;                   // share of their width beside the trunk that its panels have, so that wide ones are
                                          // sewn between the arms; they unfold while they are sewn
+  bool widened = false;                  // panels of outer layers start wider than they are cut
   bool gathered = false;                 // legs of trousers start above the feet; they come down while they are sewn
   int blocked_stitches = 0;              // whose straight line goes through the body
   int intersections = 0;                 // pairs of triangles

@@ -34,6 +34,9 @@ VertexLoop simple_cycle(const VertexLoop& walk) {
 
 LevelMesh level_mesh(const Eigen::Matrix3Xi& triangles) {
   LevelMesh mesh{triangles, mesh_edges(triangles), Eigen::Matrix3Xi(3, triangles.cols())};
+  for (MeshEdge& edge : mesh.edges)  // a line on a layer that is sewn into a seam of others ends there
+    if (const auto side = static_cast<std::size_t>(edge.further); edge.further == 0 || edge.further == 1)
+      edge = {edge.vertex, {edge.triangle[side], -1}, {edge.opposite[side], -1}, 0};
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
     for (const int t : mesh.edges[e].triangle)
       for (int corner = 0; t >= 0 && corner < 3; ++corner) {

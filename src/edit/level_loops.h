@@ -9,7 +9,8 @@
 
 namespace toile {
 
-// Edges and the three edges of every triangle, made once for many levels.
+// Edges and the three edges of every triangle, made once for many levels. Where several pieces are sewn into one seam a layer
+// that nothing goes on from across it has an edge of its own, with one triangle and `further` 0.
 struct LevelMesh {
   const Eigen::Matrix3Xi& triangles;
   std::vector<MeshEdge> edges;

@@ -2,14 +2,18 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace toile {
 
 VertexNeighbours neighbours_of(const LevelMesh& mesh, Eigen::Index count) {
   VertexNeighbours neighbours(static_cast<std::size_t>(count));
+  std::array<int, 2> last{-1, -1};
   for (const MeshEdge& edge : mesh.edges) {
+    if (std::exchange(last, edge.vertex) == edge.vertex) continue;
     neighbours[static_cast<std::size_t>(edge.vertex[0])].push_back(edge.vertex[1]);
     neighbours[static_cast<std::size_t>(edge.vertex[1])].push_back(edge.vertex[0]);
   }
@@ -33,6 +37,28 @@ std::vector<int> reached(const VertexNeighbours& neighbours, const VertexLoop& f
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::set<int> layered_seams(const LevelMesh& mesh) {
+  std::set<int> seams;
+  for (const MeshEdge& edge : mesh.edges)
+    if (edge.further != -1) seams.insert(edge.vertex.begin(), edge.vertex.end());
+  return seams;
+}
+
+std::vector<int> layer_of(const VertexNeighbours& neighbours, const VertexLoop& loop, const std::set<int>& seams) {
+  const bool touching = std::any_of(loop.begin(), loop.end(), [&](int v) { return seams.count(v) > 0; });
+  return reached(neighbours, loop, touching ? std::set<int>{} : seams);
+}
+
+std::vector<int> edge_of_layer(const VertexNeighbours& neighbours, const std::vector<int>& part, const std::set<int>& seams) {
+  const auto in_part = [&](int v) { return std::binary_search(part.begin(), part.end(), v); };
+  std::vector<int> edge;
+  for (const int v : seams) {
+    const auto& next = neighbours[static_cast<std::size_t>(v)];
+    if (!in_part(v) && std::any_of(next.begin(), next.end(), in_part)) edge.push_back(v);
+  }
+  return edge;
 }
 
 bool touches(const VertexNeighbours& neighbours, const VertexLoop& ring, const std::vector<int>& part) {

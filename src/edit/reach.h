@@ -16,6 +16,15 @@ VertexNeighbours neighbours_of(const LevelMesh& mesh, Eigen::Index vertex_count)
 // Vertices that can be reached along edges from `from` without going through `blocked`, `from` included, ascending.
 std::vector<int> reached(const VertexNeighbours& neighbours, const VertexLoop& from, const std::set<int>& blocked);
 
+// Vertices of the seams that several pieces are sewn into.
+std::set<int> layered_seams(const LevelMesh& mesh);
+
+// What hangs together with the loop without going through such a seam, ascending; through all, for a loop that touches one.
+std::vector<int> layer_of(const VertexNeighbours& neighbours, const VertexLoop& loop, const std::set<int>& seams);
+
+// Where that ends: the seams' vertices beside `part` (ascending) that are not in it.
+std::vector<int> edge_of_layer(const VertexNeighbours& neighbours, const std::vector<int>& part, const std::set<int>& seams);
+
 // A vertex of the ring has a neighbour in `part` (ascending).
 bool touches(const VertexNeighbours& neighbours, const VertexLoop& ring, const std::vector<int>& part);
 

@@ -2,9 +2,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "body/relative.h"
 #include "geometry/topology.h"
@@ -21,10 +23,12 @@ std::vector<VertexLoop> lines_between(const GarmentMesh& garment, const std::vec
   for (std::size_t p = 0; p < garment.panels.size(); ++p)
     in.insert(in.end(), static_cast<std::size_t>(garment.panels[p].triangles.cols()), panels.count(static_cast<int>(p)) > 0);
   std::map<int, std::vector<int>> next;
+  std::array<int, 2> last{-1, -1};  // where several pieces are sewn into one seam there is one line
   for (const MeshEdge& edge : edges) {
     if (edge.triangle[1] < 0 ||
         in[static_cast<std::size_t>(edge.triangle[0])] == in[static_cast<std::size_t>(edge.triangle[1])])
       continue;
+    if (std::exchange(last, edge.vertex) == edge.vertex) continue;
     next[edge.vertex[0]].push_back(edge.vertex[1]);
     next[edge.vertex[1]].push_back(edge.vertex[0]);
   }

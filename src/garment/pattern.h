@@ -99,6 +99,7 @@ struct Piece {
   std::optional<Grainline> grainline;
   std::vector<std::string> annotations;
   bool sewn = true;  // false: lies on other pieces or binds their edges (pocket, facing, interlining); cut, but not draped
+  std::optional<int> layer;  // where several pieces are sewn into one seam: 0 lies nearest the body; absent: later seams outside
   std::vector<std::optional<Placement>> placement;  // by copy; empty: none known
   std::vector<std::optional<BodyPart>> body_part;   // by copy; empty: none known
   bool operator==(const Piece&) const = default;

@@ -1,20 +1,14 @@
 #include "geometry/topology.h"
 
-// Under AddressSanitizer gcc 12 takes the points that OpenMesh makes by default for uninitialised ones.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 namespace toile {
 namespace {
-
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
 // One side of a triangle: from -> to, with the corner it does not touch.
 struct Side {
@@ -90,58 +84,91 @@ std::vector<int> fans_of_corners(const Eigen::Matrix3Xi& triangles, const std::v
   return fan;
 }
 
+// The vertices of a closed walk along half-edges that have nothing beyond them. What of it runs along seams is left out when
+// the rest is closed by itself: everything of a closed layer's upper edge, or that of one whose free edges meet at the seam.
+std::vector<int> without_seams(const std::vector<int>& around, const std::vector<bool>& seam,
+                               const Eigen::Matrix3Xi& triangles) {
+  const auto is_seam = [&](int h) { return bool{seam[static_cast<std::size_t>(h)]}; };
+  const auto from = [&](int h) { return triangles(h % 3, h / 3); };
+  const std::size_t count = around.size();
+  std::vector<int> loop;
+  std::size_t begin = 0;  // of the only free run
+  int runs = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    loop.push_back(from(around[i]));
+    if (is_seam(around[i]) || !is_seam(around[(i + count - 1) % count])) continue;
+    ++runs;
+    begin = i;
+  }
+  if (std::all_of(around.begin(), around.end(), is_seam)) return {};
+  if (runs != 1) return loop;
+  std::vector<int> run;
+  std::size_t i = begin;
+  for (; !is_seam(around[i % count]); ++i) run.push_back(loop[i % count]);
+  return run.size() >= 3 && loop[i % count] == run.front() ? run : loop;
+}
+
 }  // namespace
 
 std::vector<MeshEdge> mesh_edges(const Eigen::Matrix3Xi& triangles) {
   std::vector<MeshEdge> edges;
   edges.reserve(static_cast<std::size_t>(triangles.cols()) * 3 / 2 + 1);
   for_each_edge(sorted_sides(triangles), [&](auto first, auto last) {
-    if (last - first > 2)
-      throw std::invalid_argument("mesh_edges: more than two triangles between " + between(first->low, first->high));
-    const bool inner = last - first == 2;
-    edges.push_back({{first->low, first->high},
-                     {first->triangle, inner ? (first + 1)->triangle : -1},
-                     {first->opposite, inner ? (first + 1)->opposite : -1}});
+    const auto add = [&](const Side& one, const Side& other, int further) {
+      edges.push_back({{one.low, one.high}, {one.triangle, other.triangle}, {one.opposite, other.opposite}, further});
+    };
+    if (last - first == 1) {
+      edges.push_back({{first->low, first->high}, {first->triangle, -1}, {first->opposite, -1}});
+      return;
+    }
+    const auto falling = std::find_if(first, last, [](const Side& side) { return !side.rising; });
+    if (falling == first || falling == last) {  // all face the same way
+      add(*first, *(first + 1), -1);
+      for (auto side = first + 2; side != last; ++side) add(*first, *side, 1);
+      return;
+    }
+    auto rising = first, down = falling;
+    for (; rising != falling && down != last; ++rising, ++down) add(*rising, *down, rising == first ? -1 : 2);
+    for (; rising != falling; ++rising) add(*rising, *falling, 0);
+    for (; down != last; ++down) add(*first, *down, 1);
   });
   return edges;
 }
 
 std::vector<std::vector<int>> boundary_loops(const Eigen::Matrix3Xi& triangles) {
-  const std::vector<Side> sides = sorted_sides(triangles);
-  for_each_edge(sides, [](auto first, auto last) {
-    if (last - first > 2 || (last - first == 2 && first->rising == (first + 1)->rising))
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  // Half-edge 3 t + c runs from corner c of triangle t to the next; `beyond` is the one it goes on to, -1 where the surface
+  // ends.
+  std::vector<int> beyond(3 * index(static_cast<int>(triangles.cols())), -1);
+  std::vector<bool> seam(beyond.size(), false);
+  const auto half_edge = [&](const Side& side) {
+    return corner_of(triangles, side.triangle, side.rising ? side.low : side.high);
+  };
+  for_each_edge(sorted_sides(triangles), [&](auto first, auto last) {
+    if (last - first == 2 && first->rising == (first + 1)->rising)
       throw std::invalid_argument("boundary_loops: not an oriented surface between " + between(first->low, first->high));
+    auto falling = std::find_if(first, last, [](const Side& side) { return !side.rising; });
+    for (auto rising = first; rising->rising && falling != last; ++rising, ++falling) {
+      beyond[index(half_edge(*rising))] = half_edge(*falling);
+      beyond[index(half_edge(*falling))] = half_edge(*rising);
+    }
+    for (auto side = first; last - first > 2 && side != last; ++side) seam[index(half_edge(*side))] = true;
   });
 
-  const std::vector<int> fan = fans_of_corners(triangles, sides);
-  HalfEdgeMesh mesh;
-  std::vector<int> vertex_of;  // half-edge mesh vertex -> ours
-  std::map<int, HalfEdgeMesh::VertexHandle> handle_of;
-  for (int t = 0; t < static_cast<int>(triangles.cols()); ++t) {
-    std::array<HalfEdgeMesh::VertexHandle, 3> corners;
-    for (int corner = 0; corner < 3; ++corner) {
-      auto [entry, fresh] = handle_of.try_emplace(fan[static_cast<std::size_t>(3 * t + corner)]);
-      if (fresh) {
-        entry->second = mesh.add_vertex({0, 0, 0});
-        vertex_of.push_back(triangles(corner, t));
-      }
-      corners[static_cast<std::size_t>(corner)] = entry->second;
-    }
-    if (!mesh.add_face(corners[0], corners[1], corners[2]).is_valid())
-      throw std::invalid_argument("boundary_loops: triangle " + std::to_string(t) + " does not fit an oriented surface");
-  }
-
+  const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
   std::vector<std::vector<int>> loops;
-  std::vector<bool> seen(mesh.n_halfedges(), false);
-  for (const auto start : mesh.halfedges()) {
-    if (!start.is_boundary() || seen[static_cast<std::size_t>(start.idx())]) continue;
-    std::vector<int> loop;
-    HalfEdgeMesh::HalfedgeHandle at = start;
-    do {  // a boundary half-edge has the surface on its right, so they are followed backwards
-      seen[static_cast<std::size_t>(at.idx())] = true;
-      loop.push_back(vertex_of[static_cast<std::size_t>(mesh.to_vertex_handle(at).idx())]);
-      at = mesh.prev_halfedge_handle(at);
-    } while (at != HalfEdgeMesh::HalfedgeHandle(start));
+  std::vector<bool> seen(beyond.size(), false);
+  for (int start = 0; start < static_cast<int>(beyond.size()); ++start) {
+    if (beyond[index(start)] >= 0 || seen[index(start)]) continue;
+    std::vector<int> around;
+    for (int at = start; !seen[index(at)];) {
+      seen[index(at)] = true;
+      around.push_back(at);
+      at = next(at);
+      while (beyond[index(at)] >= 0) at = next(beyond[index(at)]);
+    }
+    std::vector<int> loop = without_seams(around, seam, triangles);
+    if (loop.empty()) continue;
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
     loops.push_back(std::move(loop));
   }

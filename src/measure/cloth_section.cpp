@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -27,7 +28,10 @@ int root(std::vector<int>& parent, int node) {
 std::vector<ClothSection> cloth_sections(const GarmentMesh& garment, const Eigen::Matrix3Xd& positions,
                                          const Eigen::Vector3d& at, const Eigen::Vector3d& normal) {
   const Eigen::VectorXd height = (positions.colwise() - at).transpose() * normal.normalized();
-  std::map<std::pair<int, int>, int> number;  // of the mesh edges that are cut
+  // Of the mesh edges that are cut, by ends and how many triangles before face the same way there: where several pieces are
+  // sewn into one seam, a section goes on from the first on one side to the first on the other.
+  std::map<std::array<int, 3>, int> number;
+  std::map<std::pair<int, int>, int> before;  // by directed mesh edge
   std::vector<int> parent;
   std::vector<Cut> cuts;
   Eigen::Index t = 0;
@@ -42,11 +46,12 @@ std::vector<ClothSection> cloth_sections(const GarmentMesh& garment, const Eigen
         if ((height(garment.triangles(from, t)) >= 0) == (height(garment.triangles(to, t)) >= 0)) continue;
         if (garment.triangles(from, t) > garment.triangles(to, t)) std::swap(from, to);  // the same point from both sides
         const int a = garment.triangles(from, t), b = garment.triangles(to, t);
+        const int same_way = before[{garment.triangles(k, t), garment.triangles((k + 1) % 3, t)}]++;
         const double share = height(a) / (height(a) - height(b));
         cut.piece[found] = positions.col(a) + share * (positions.col(b) - positions.col(a));
         const Eigen::Vector2d start = panel.rest.col(panel.triangles(from, i)), end = panel.rest.col(panel.triangles(to, i));
         flat[found] = start + share * (end - start);
-        const auto [place, added] = number.try_emplace({a, b}, static_cast<int>(parent.size()));
+        const auto [place, added] = number.try_emplace({a, b, same_way}, static_cast<int>(parent.size()));
         if (added) parent.push_back(place->second);
         nodes[found++] = place->second;
       }

@@ -106,8 +106,8 @@ std::set<int> crossing_groups(const std::vector<Interval>& parts, const Samples&
   return groups;
 }
 
-// Groups of sides that sewing would join by accident: their two ends meet each other, or the ends of a side that is not their
-// mate (a ring needs three sides, two panels sewn all round more than one side between seams).
+// Groups of sides that sewing would join by accident: their two ends meet each other, or the ends of a side that they are not
+// sewn to (a ring needs three sides, two panels sewn all round more than one side between seams).
 std::set<int> accidental_groups(const Pattern& pattern, const std::vector<Interval>& parts, const Samples& samples, int& seam) {
   std::vector<PanelLoop> panels;
   std::vector<int> first;
@@ -124,21 +124,17 @@ std::set<int> accidental_groups(const Pattern& pattern, const std::vector<Interv
   const std::vector<Mating> mated_runs = matings(pattern, panels);
   const std::vector<int> root = welded_to(mated_runs, first, total);
   const auto side = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
+  const MatedSides mates = mated_sides(mated_runs, first);
   std::vector<int> seam_at(static_cast<std::size_t>(total), -1);
-  std::set<std::array<int, 4>> mates;
   for (const Mating& mating : mated_runs) {
-    const int of_a = first[static_cast<std::size_t>(mating.panel_a)], of_b = first[static_cast<std::size_t>(mating.panel_b)];
-    for (std::size_t i = 0; i < mating.a.size(); ++i) {
-      for (const int v : {of_a + mating.a[i], of_b + mating.b[i]}) seam_at[static_cast<std::size_t>(v)] = mating.seam;
-      if (i == 0) continue;
-      const auto a = side(of_a + mating.a[i - 1], of_a + mating.a[i]), b = side(of_b + mating.b[i - 1], of_b + mating.b[i]);
-      mates.insert({a.first, a.second, b.first, b.second});
-      mates.insert({b.first, b.second, a.first, a.second});
-    }
+    for (const int v : mating.a)
+      seam_at[static_cast<std::size_t>(first[static_cast<std::size_t>(mating.panel_a)] + v)] = mating.seam;
+    for (const int v : mating.b)
+      seam_at[static_cast<std::size_t>(first[static_cast<std::size_t>(mating.panel_b)] + v)] = mating.seam;
   }
 
-  struct Side {
-    int from, to, group;
+  struct Side : WeldedSide {
+    int group = 0;
   };
   std::map<std::pair<int, int>, std::vector<Side>> sides;
   for (std::size_t q = 0; q < panels.size(); ++q) {
@@ -146,16 +142,12 @@ std::set<int> accidental_groups(const Pattern& pattern, const std::vector<Interv
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int from = first[q] + static_cast<int>(i), to = first[q] + static_cast<int>((i + 1) % loop.size());
       sides[side(root[static_cast<std::size_t>(from)], root[static_cast<std::size_t>(to)])].push_back(
-          {from, to, group_at(parts, panels[q].piece, loop[i])});
+          {{from, to, static_cast<int>(q), loop[i].edge}, group_at(parts, panels[q].piece, loop[i])});
     }
   }
   std::set<int> groups;
   for (const auto& [ends, alike] : sides) {
-    const auto first_side = side(alike[0].from, alike[0].to);
-    const auto second_side = alike.size() < 2 ? first_side : side(alike[1].from, alike[1].to);
-    const bool mated =
-        alike.size() == 2 && mates.count({first_side.first, first_side.second, second_side.first, second_side.second}) > 0;
-    if (ends.first != ends.second && (alike.size() == 1 || mated)) continue;
+    if (ends.first != ends.second && sewn_together({alike.begin(), alike.end()}, mates)) continue;
     for (const Side& s : alike) {
       groups.insert(s.group);
       seam = std::max(seam, std::max(seam_at[static_cast<std::size_t>(s.from)], seam_at[static_cast<std::size_t>(s.to)]));
@@ -183,7 +175,8 @@ Samples sample_outlines(const Pattern& pattern, double edge_length) {
                       "piece '" + pattern.pieces[static_cast<std::size_t>(piece)].name + "'",
                       "parts of the outline lie too near to each other to be meshed", "Move them apart", Fault::bad_input});
     refuse_seam("seam.not-manifold", pattern.seams[static_cast<std::size_t>(std::max(seam, 0))],
-                "with the other seams it would join more than two layers along one line", "Sew each edge once");
+                "with the other seams it would join edges along one line that are not sewn to each other",
+                "Sew each edge only to those that it meets there");
   }
 }
 

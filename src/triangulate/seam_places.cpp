@@ -60,35 +60,40 @@ void snap_ends(const Pattern& pattern, std::vector<SeamPlace>& seams) {
   }
 }
 
+bool overlap(const SpanPlace& one, const SpanPlace& other) {
+  return std::tie(one.piece, one.copy, one.edge) == std::tie(other.piece, other.copy, other.edge) &&
+         std::max(std::min(one.begin, one.end), std::min(other.begin, other.end)) <
+             std::min(std::max(one.begin, one.end), std::max(other.begin, other.end));
+}
+
+// Several pieces may be sewn into one seam, but two stretches to each other only once.
 void check_spans(const Pattern& pattern, const std::vector<SeamPlace>& seams) {
-  struct Used {
-    int piece, copy, edge;
-    double low, high;
-    std::size_t seam;
+  const auto refuse = [&](std::size_t s, const SpanPlace& span, const std::string& by, const char* remedy) {
+    const Piece& piece = pattern.pieces[static_cast<std::size_t>(span.piece)];
+    refuse_seam("seam.overlap", pattern.seams[s],
+                "edge '" + piece.outline[static_cast<std::size_t>(span.edge)].id + "' of piece '" + piece.name + "', copy " +
+                    std::to_string(span.copy) + ", is " + by,
+                remedy);
   };
-  std::vector<Used> used;
-  for (std::size_t s = 0; s < seams.size(); ++s)
-    for (const SpanPlace* span : {&seams[s].a, &seams[s].b}) {
+  for (std::size_t s = 0; s < seams.size(); ++s) {
+    for (const SpanPlace* span : {&seams[s].a, &seams[s].b})
       if (span->begin == span->end)
         refuse_seam("seam.span-too-short", pattern.seams[s], "one of its spans is shorter than " + in_mm(same_place),
                     "Give it the part of the edge that is sewn");
-      used.push_back(
-          {span->piece, span->copy, span->edge, std::min(span->begin, span->end), std::max(span->begin, span->end), s});
-    }
-  std::sort(used.begin(), used.end(), [](const Used& x, const Used& y) {
-    return std::tie(x.piece, x.copy, x.edge, x.low, x.high, x.seam) < std::tie(y.piece, y.copy, y.edge, y.low, y.high, y.seam);
-  });
-  for (std::size_t i = 1; i < used.size(); ++i) {
-    const Used& before = used[i - 1];
-    const Used& now = used[i];
-    if (std::tie(before.piece, before.copy, before.edge) != std::tie(now.piece, now.copy, now.edge) || now.low >= before.high)
-      continue;
-    const Piece& piece = pattern.pieces[static_cast<std::size_t>(now.piece)];
-    refuse_seam("seam.overlap", pattern.seams[now.seam],
-                "edge '" + piece.outline[static_cast<std::size_t>(now.edge)].id + "' of piece '" + piece.name + "', copy " +
-                    std::to_string(now.copy) + ", is already sewn there by " + seam_in_words(pattern.seams[before.seam]),
-                "Let the two spans meet end to end");
+    if (overlap(seams[s].a, seams[s].b)) refuse(s, seams[s].a, "sewn to itself there", "Let the two spans meet end to end");
   }
+  std::map<std::tuple<int, int, int>, std::vector<std::size_t>> on_edge;
+  for (std::size_t s = 0; s < seams.size(); ++s)
+    for (const SpanPlace* span : {&seams[s].a, &seams[s].b}) {
+      auto& others = on_edge[{span->piece, span->copy, span->edge}];
+      for (const std::size_t other : others) {
+        const SeamPlace &x = seams[other], &y = seams[s];
+        if (other == s || !((overlap(x.a, y.a) && overlap(x.b, y.b)) || (overlap(x.a, y.b) && overlap(x.b, y.a)))) continue;
+        refuse(s, *span, "already sewn to the other edge there by " + seam_in_words(pattern.seams[other]),
+               "Take one of the two seams away, or let their spans meet end to end");
+      }
+      others.push_back(s);
+    }
 }
 
 }  // namespace

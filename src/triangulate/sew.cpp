@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include "garment/welds.h"
 #include "triangulate/seam_places.h"
 #include "triangulate/stitching.h"
 #include "triangulate/triangulate.h"
@@ -21,21 +23,33 @@ void check_not_twisted(const Pattern& pattern) {
   }
 }
 
-// The garment's triangles form a surface: three different corners each, no more than two at an edge.
-void check_manifold(const Pattern& pattern, const GarmentMesh& garment, const std::vector<int>& seam_at) {
+// Three different corners to a triangle, and no more than two triangles at an edge, but where edges of more panels are sewn to
+// each other.
+void check_edges(const Pattern& pattern, const GarmentMesh& garment, const std::vector<int>& seam_at, const MatedSides& mates,
+                 const std::vector<int>& first) {
   const auto refuse = [&](int a, int b, const std::string& text) {
     const int seam = std::max(seam_at[static_cast<std::size_t>(a)], seam_at[static_cast<std::size_t>(b)]);
     refuse_seam("seam.not-manifold", pattern.seams[static_cast<std::size_t>(std::max(seam, 0))], text,
-                "Sew each edge once, and no edge to its own neighbour unless they form a dart");
+                "Sew each edge only to those that it meets there, and no edge to its own neighbour unless they form a dart");
   };
-  std::map<std::pair<int, int>, int> triangles_at;
+  std::map<std::pair<int, int>, std::size_t> triangles_at;
+  bool layered = false;
   for (Eigen::Index t = 0; t < garment.triangles.cols(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
       const int a = garment.triangles(corner, t), b = garment.triangles((corner + 1) % 3, t);
       if (a == b) refuse(a, b, "it sews two corners of one triangle together");
-      if (++triangles_at[{std::min(a, b), std::max(a, b)}] > 2)
-        refuse(a, b, "with the other seams it joins more than two layers along one line");
+      layered |= ++triangles_at[std::minmax(a, b)] > 2;
     }
+  if (!layered) return;
+  std::map<std::pair<int, int>, std::vector<WeldedSide>> sides_at;
+  for (const BoundarySegment& s : boundary_segments(garment)) {
+    const auto p = static_cast<std::size_t>(s.panel);
+    sides_at[std::minmax(garment.welded[p](s.from), garment.welded[p](s.to))].push_back(
+        {first[p] + s.from, first[p] + s.to, s.panel, s.edge});
+  }
+  for (const auto& [ends, count] : triangles_at)
+    if (const auto& sides = sides_at[ends]; count > 2 && (sides.size() != count || !sewn_together(sides, mates)))
+      refuse(ends.first, ends.second, "with the other seams it joins more than two layers along one line");
 }
 
 }  // namespace
@@ -73,7 +87,7 @@ GarmentMesh sew(const Pattern& pattern, std::vector<PanelMesh> panels) {
   for (const Mating& run : runs)
     for (const int v : run.a)
       seam_at[static_cast<std::size_t>(garment.welded[static_cast<std::size_t>(run.panel_a)](v))] = run.seam;
-  check_manifold(pattern, garment, seam_at);
+  check_edges(pattern, garment, seam_at, mated_sides(runs, first), first);
   check(garment);
   return garment;
 }

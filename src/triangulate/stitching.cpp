@@ -82,4 +82,40 @@ std::vector<int> welded_to(const std::vector<Mating>& matings, const std::vector
   return parent;
 }
 
+MatedSides mated_sides(const std::vector<Mating>& matings, const std::vector<int>& first) {
+  MatedSides mates;
+  const auto side = [&](int panel, const std::vector<int>& run, std::size_t i) {
+    const auto ends = std::minmax(run[i - 1], run[i]);
+    const int shift = first[static_cast<std::size_t>(panel)];
+    return std::pair(shift + ends.first, shift + ends.second);
+  };
+  for (const Mating& mating : matings)
+    for (std::size_t i = 1; i < mating.a.size(); ++i) {
+      const auto a = side(mating.panel_a, mating.a, i), b = side(mating.panel_b, mating.b, i);
+      mates.insert({a.first, a.second, b.first, b.second});
+      mates.insert({b.first, b.second, a.first, a.second});
+    }
+  return mates;
+}
+
+bool sewn_together(const std::vector<WeldedSide>& sides, const MatedSides& mates) {
+  const auto mated = [&](const WeldedSide& a, const WeldedSide& b) {
+    const auto [a_low, a_high] = std::minmax(a.from, a.to);
+    const auto [b_low, b_high] = std::minmax(b.from, b.to);
+    return mates.count({a_low, a_high, b_low, b_high}) > 0;
+  };
+  std::vector<bool> reached(sides.size(), false);
+  std::vector<std::size_t> at{0};
+  reached[0] = true;
+  for (std::size_t k = 0; k < at.size(); ++k)
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const WeldedSide &here = sides[at[k]], &there = sides[i];
+      if (i != at[k] && here.panel == there.panel && here.edge == there.edge && !mated(here, there)) return false;
+      if (reached[i] || !mated(here, there)) continue;
+      reached[i] = true;
+      at.push_back(i);
+    }
+  return at.size() == sides.size();
+}
+
 }  // namespace toile

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "collide/intersections.h"
+#include "collide/without_crossing.h"
 #include "drape/dress.h"
 #include "edit/loops.h"
 #include "garment/units.h"
+#include "geometry/topology.h"
 #include "triangulate/hems.h"
 #include "triangulate/triangulate.h"
 #include "workbench/carried_drape.h"
@@ -130,7 +133,8 @@ Report drape_findings(const Drape& drape, double tolerance, const std::string& w
                 "The garment is too wide to stay where its pieces were placed");
   const double lowest = drape.positions.cols() > 0 ? drape.positions.row(1).minCoeff() : 0;
   if (lowest < -floor_limit)
-    report.warn("drape.below-floor", what, "the garment reaches " + in_mm(-lowest, 0) + " below the floor and hangs there freely",
+    report.warn("drape.below-floor", what,
+                "the garment reaches " + in_mm(-lowest, 0) + " below the floor and hangs there freely",
                 "It is too long for this body: check the body's height and the pattern's size, or shorten it");
   return report;
 }
@@ -190,6 +194,24 @@ WornGarment as_worn(Worn worn, double edge_length) {
           std::move(worn.report)};
 }
 
+namespace {
+
+bool has_layers(const GarmentMesh& garment) {
+  const std::vector<MeshEdge> edges = mesh_edges(garment.triangles);
+  return std::any_of(edges.begin(), edges.end(), [](const MeshEdge& edge) { return edge.further != -1; });
+}
+
+// An edit moves every layer by the body, and close layers through each other: they stay on their sides.
+void keep_layers_apart(const GarmentMesh& garment, const Eigen::Matrix3Xd& before, Eigen::Matrix3Xd& positions) {
+  if (before.cols() != positions.cols() || !has_layers(garment)) return;
+  if (intersecting_triangles(positions, garment.triangles).empty() ||
+      !intersecting_triangles(before, garment.triangles).empty())
+    return;
+  positions = without_crossing(before, positions, garment.triangles);
+}
+
+}  // namespace
+
 Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits) {
   Target target;
   target.garment = worn.garment;
@@ -204,6 +226,7 @@ Target edit(const Worn& worn, const Scene& scene, const std::vector<Edit>& edits
       next.report.findings.insert(next.report.findings.begin(), target.report.findings.begin(), target.report.findings.end());
       if (!next.body) next.body = target.body;
       if (!next.pattern) {
+        keep_layers_apart(next.garment, target.positions, next.positions);
         next.pattern = target.pattern;
         next.source = target.source;
       }

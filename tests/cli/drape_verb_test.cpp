@@ -70,6 +70,35 @@ TEST_F(DrapeVerb, ThePageShowsEveryPictureAndTheGirths) {
     EXPECT_EQ(page.find(of_runs), std::string::npos) << of_runs;
 }
 
+// The sample skirt with a second skirt of the same gores over it in the waist seam.
+TEST_F(DrapeVerb, ASecondSkirtInTheWaistSeamHangsOverTheFirst) {
+  const auto sample = std::filesystem::path(TOILE_SOURCE_DIR) / "samples" / "gored_skirt";
+  std::string dxf = contents(sample / "gored_skirt.dxf"), seams = contents(sample / "gored_skirt.seams.toml");
+  const auto doubled = [&](const std::string& from, const std::string& to) {
+    const std::size_t name = dxf.find("GORE_38", dxf.find(from));
+    const std::size_t begin = dxf.rfind("  0\n" + from, name), end = dxf.find("  0\n" + to, name);
+    std::string copy = dxf.substr(begin, end - begin);
+    for (std::size_t at = 0; (at = copy.find("GORE", at)) != std::string::npos;) copy.replace(at, 4, "OUTER");
+    dxf.insert(end, copy);
+  };
+  doubled("INSERT", "ENDSEC");
+  doubled("BLOCK\n", "ENDSEC");
+  here_.write("double.dxf", dxf);
+  const std::size_t piece = seams.find("[[piece]]"), band = seams.find("[[piece]]", piece + 1);
+  std::string outer = seams.substr(piece, band - piece);
+  outer.replace(outer.find("GORE"), 4, "OUTER");
+  here_.write("double.seams.toml", seams + "\n" + outer +
+                                       "[[seam]]\nring = \"OUTER\"\nfrom = \"right\"\nto = \"left\"\n"
+                                       "[[seam]]\nalong = \"WAISTBAND.bottom\"\neach = \"OUTER.top\"\n");
+  const Ended ended =
+      run_program({"drape", (here_ / "double.dxf").string(), "--edge-length", "30 mm", "--out", (here_ / "out").string()});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const auto said = summary("out");
+  EXPECT_TRUE(said["drape"]["settled"]);
+  EXPECT_EQ(said["drape"]["self_intersections"], 0);
+  EXPECT_TRUE(said["drape"]["links_ok"]);
+}
+
 // Gores put where the head is cannot be sewn round the trunk.
 TEST_F(DrapeVerb, DressingThatGetsStuckIsShown) {
   const Ended ended = drape_too_high({"--time-limit", "0.1"});

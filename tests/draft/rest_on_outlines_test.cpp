@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "draft/hand_made.h"
+#include "draft/places.h"
 #include "draft/redraw.h"
 #include "garment/welds.h"
 #include "geometry/polyline.h"
@@ -42,6 +43,53 @@ TEST(RestOnOutlines, IsTheRestShapeItselfOnTheOriginal) {
     const RestShape rest = rest_shape(made.garment);
     EXPECT_LT(worst_difference(rest_on_outlines(made.pattern, made.garment, rest), rest), 1e-9);
   }
+}
+
+// Strips along one line, divided alike; the third is sewn to the middle of it only.
+TEST(PlacesOnOutline, OfSeveralPiecesInOneSeamAreWhereTheyWereMeshed) {
+  GarmentMesh garment;
+  const auto strip = [](int piece, int first, int last, bool up) {
+    PanelMesh panel;
+    panel.piece = piece;
+    panel.name = std::to_string(piece);
+    const int n = last - first;
+    panel.rest.resize(2, 2 * n + 2);
+    for (int i = 0; i <= n; ++i) {
+      panel.rest.col(i) << .02 * (first + i), (up ? 0 : -.1);
+      panel.rest.col(2 * n + 1 - i) << .02 * (first + i), (up ? .1 : 0);
+    }
+    panel.triangles.resize(3, 2 * n);
+    for (int i = 0; i < n; ++i) {
+      panel.triangles.col(2 * i) << i, i + 1, 2 * n + 1 - i;
+      panel.triangles.col(2 * i + 1) << i + 1, 2 * n - i, 2 * n + 1 - i;
+    }
+    for (int i = 0; i < n; ++i) panel.boundary.push_back({i, 0, static_cast<double>(i) / n});
+    panel.boundary.push_back({n, 1, 0});
+    for (int i = 0; i < n; ++i) panel.boundary.push_back({n + 1 + i, 2, static_cast<double>(i) / n});
+    panel.boundary.push_back({2 * n + 1, 3, 0});
+    return panel;
+  };
+  garment.panels = {strip(0, 0, 12, true), strip(1, 0, 12, false), strip(2, 3, 8, false)};
+  garment.vertex_count = 13 + 13 + 13 + 6;  // the line, and what is away from it
+  garment.welded = {Eigen::VectorXi(26), Eigen::VectorXi(26), Eigen::VectorXi(12)};
+  for (int i = 0; i < 13; ++i) {
+    garment.welded[0](i) = garment.welded[1](25 - i) = i;
+    garment.welded[0](25 - i) = 13 + i;
+    garment.welded[1](i) = 26 + i;
+  }
+  for (int i = 0; i < 6; ++i) {
+    garment.welded[2](11 - i) = 3 + i;
+    garment.welded[2](i) = 39 + i;
+  }
+  Eigen::Index count = 0;
+  garment.triangles.resize(3, 24 + 24 + 10);
+  for (std::size_t p = 0; p < 3; ++p)
+    for (const auto& corners : garment.panels[p].triangles.colwise())
+      garment.triangles.col(count++) << garment.welded[p](corners(0)), garment.welded[p](corners(1)),
+          garment.welded[p](corners(2));
+  const auto places = places_on_outline(garment, rest_shape(garment));
+  for (std::size_t p = 0; p < 3; ++p)
+    for (std::size_t i = 0; i < places[p].size(); ++i) EXPECT_NEAR(places[p][i], garment.panels[p].boundary[i].at, 1e-12);
 }
 
 TEST(RestOnOutlines, PutsEveryBoundaryOnTheNewOutlineWithoutFolds) {

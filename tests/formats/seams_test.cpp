@@ -43,6 +43,14 @@ TEST(Sidecar, SaysWhichPiecesAreNotSewn) {
             "seam.not-sewn");
 }
 
+TEST(Sidecar, SaysWhichLayerAPieceIs) {
+  const auto pattern = applied("[[piece]]\nname = \"gore\"\nlayer = 1\n");
+  EXPECT_EQ(pattern.pieces[0].layer, 1);
+  EXPECT_FALSE(pattern.pieces[1].layer);
+  EXPECT_NE(seams_text(pattern).find("\nlayer = 1\n"), std::string::npos);
+  EXPECT_EQ(first_finding(one_piece("layer = -1\n")).code, "seams.bad-value");
+}
+
 TEST(Sidecar, SpreadsCopiesRoundTheBody) {
   const auto pattern = applied(one_piece("on = { level = \"waist\", drop = \"4 cm\", around = true }\n"));
   const auto& on = pattern.pieces[0].body_part;
@@ -205,11 +213,12 @@ TEST(Seams, SlipsOfThePenAreNamedWithTheirLine) {
   EXPECT_EQ(first_finding(one_seam("a = \"gore:1.right\"\nb = \"gore:2.left\"\nreverse = true\n")).code, "seam.unknown-key");
 }
 
-TEST(Seams, SewingARunTwiceIsAWarning) {
+TEST(Seams, SewingARunTwiceIsSaid) {
   const Finding f =
       first_finding(one_seam("a = \"gore:1.right\"\nb = \"gore:2.left\"\n[[seam]]\na = \"gore:1.right[0..1/2]\"\nb = "
                              "\"gore:3.left[1/2..1]\"\n"));
   EXPECT_EQ(f.code, "seam.edge-twice");
+  EXPECT_EQ(f.severity, Severity::note);
 }
 
 TEST(Seams, AMissingSidecarIsAFinding) {

@@ -52,8 +52,41 @@ TEST(MeshEdges, FirstTriangleRunsFromTheLowerVertex) {
   }
 }
 
-TEST(MeshEdges, RefuseAThirdTriangle) {
-  EXPECT_THROW(mesh_edges(triangles_of({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})), std::invalid_argument);
+TEST(MeshEdges, OfThreeTrianglesAtAnEdgeListTheThirdBesideTheFirstAcross) {
+  std::vector<MeshEdge> at_edge;
+  for (const MeshEdge& edge : mesh_edges(triangles_of({{0, 1, 2}, {1, 0, 3}, {1, 0, 4}})))
+    if (edge.vertex == std::array{0, 1}) at_edge.push_back(edge);
+  ASSERT_EQ(at_edge.size(), 2u);
+  EXPECT_EQ(at_edge[0], (MeshEdge{{0, 1}, {0, 1}, {2, 3}, -1}));
+  EXPECT_EQ(at_edge[1], (MeshEdge{{0, 1}, {0, 2}, {2, 4}, 1}));
+}
+
+TEST(MeshEdges, OfTwoTrianglesOnEachSidePairThemInTheOrderOfTheirNumbers) {
+  std::vector<MeshEdge> at_edge;
+  for (const MeshEdge& edge : mesh_edges(triangles_of({{1, 0, 2}, {0, 1, 3}, {1, 0, 4}, {0, 1, 5}})))
+    if (edge.vertex == std::array{0, 1}) at_edge.push_back(edge);
+  ASSERT_EQ(at_edge.size(), 2u);
+  EXPECT_EQ(at_edge[0], (MeshEdge{{0, 1}, {1, 0}, {3, 2}, -1}));
+  EXPECT_EQ(at_edge[1], (MeshEdge{{0, 1}, {3, 2}, {5, 4}, 2}));
+}
+
+TEST(MeshEdges, HaveEverySideOfEveryTriangleNewOnce) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<std::array<int, 3>> list;
+    for (int t = 0; t < 1 + trial % 6; ++t) list.push_back(random() % 2 ? std::array{0, 1, t + 2} : std::array{1, 0, t + 2});
+    std::multiset<int> found;
+    int own = 0;
+    for (const MeshEdge& edge : mesh_edges(triangles_of(list))) {
+      if (edge.vertex != std::array{0, 1}) continue;
+      own += edge.further == -1;
+      for (std::size_t side = 0; side < 2; ++side)
+        if (is_new(edge, side)) found.insert(edge.triangle[side]);
+    }
+    EXPECT_EQ(own, 1);
+    EXPECT_EQ(found.size(), list.size());
+    EXPECT_EQ(std::set<int>(found.begin(), found.end()).size(), list.size());
+  }
 }
 
 TEST(MeshEdges, SatisfyEulerOnATube) {
@@ -94,6 +127,71 @@ TEST(BoundaryLoops, DoNotDependOnTheOrderOfTriangles) {
     }
     EXPECT_EQ(boundary_loops(triangles), expected);
   }
+}
+
+// A strip of quadrilaterals between columns of vertices, each from the first to the second row; `first` runs with it on its
+// left.
+void add_strip(std::vector<std::array<int, 3>>& list, const std::vector<int>& first, const std::vector<int>& second) {
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    list.push_back({first[i], first[i + 1], second[i + 1]});
+    list.push_back({first[i], second[i + 1], second[i]});
+  }
+}
+
+// `count` numbers from `from` on, then the first again when `closed`.
+std::vector<int> row(int from, int count, bool closed) {
+  std::vector<int> numbers;
+  for (int i = 0; i < count; ++i) numbers.push_back(from + i);
+  if (closed) numbers.push_back(from);
+  return numbers;
+}
+
+std::vector<int> reversed(std::vector<int> row) { return {row.rbegin(), row.rend()}; }
+
+TEST(BoundaryLoops, OfASkirtUnderAnOverskirtAreTheWaistAndTwoHems) {
+  std::vector<std::array<int, 3>> list;
+  const auto waist = row(10, 6, true);
+  add_strip(list, waist, row(0, 6, true));                       // the band, up to 0 .. 5
+  add_strip(list, reversed(waist), reversed(row(20, 6, true)));  // the skirt
+  add_strip(list, reversed(waist), reversed(row(30, 6, true)));  // the overskirt
+  const auto loops = boundary_loops(triangles_of(list));
+  ASSERT_EQ(loops.size(), 3u);
+  EXPECT_EQ(loops[0], (std::vector<int>{0, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(loops[1], (std::vector<int>{20, 21, 22, 23, 24, 25}));
+  EXPECT_EQ(loops[2], (std::vector<int>{30, 31, 32, 33, 34, 35}));
+}
+
+TEST(BoundaryLoops, OfABodiceAndASkirtThatAreBothLinedAreFour) {
+  std::vector<std::array<int, 3>> list;
+  const auto waist = row(10, 5, true);
+  for (const int top : {0, 30}) add_strip(list, waist, row(top, 5, true));
+  for (const int hem : {20, 40}) add_strip(list, reversed(waist), reversed(row(hem, 5, true)));
+  const auto loops = boundary_loops(triangles_of(list));
+  ASSERT_EQ(loops.size(), 4u);
+  for (const auto& loop : loops) EXPECT_EQ(loop.size(), 5u);
+}
+
+TEST(BoundaryLoops, OfAnApronRunBackAlongTheSeamItHangsFrom) {
+  std::vector<std::array<int, 3>> list;
+  const auto waist = row(10, 6, true);
+  add_strip(list, waist, row(0, 6, true));
+  add_strip(list, reversed(waist), reversed(row(20, 6, true)));
+  add_strip(list, {13, 12, 11}, {33, 32, 31});
+  const auto loops = boundary_loops(triangles_of(list));
+  ASSERT_EQ(loops.size(), 3u);
+  EXPECT_EQ(loops[2], (std::vector<int>{20, 21, 22, 23, 24, 25}));
+  EXPECT_EQ(loops[1], (std::vector<int>{11, 31, 32, 33, 13, 12}));
+}
+
+TEST(BoundaryLoops, OfAnOverskirtThatIsOpenInFrontLeaveTheSeamOut) {
+  std::vector<std::array<int, 3>> list;
+  const auto waist = row(10, 4, true);
+  add_strip(list, waist, row(0, 4, true));
+  add_strip(list, reversed(waist), reversed(row(20, 4, true)));
+  add_strip(list, reversed(waist), reversed(row(30, 5, false)));  // its front edges meet at vertex 10
+  const auto loops = boundary_loops(triangles_of(list));
+  ASSERT_EQ(loops.size(), 3u);
+  EXPECT_EQ(loops[1], (std::vector<int>{10, 30, 31, 32, 33, 34}));
 }
 
 TEST(BoundaryLoops, RefuseTrianglesThatFaceOppositeWays) {

@@ -67,13 +67,27 @@ TEST(SeamPlaces, RefuseSpansThatLeaveTheEdgeOrVanish) {
   EXPECT_EQ(refusal([&] { seam_places(pattern); }).code, "seam.span-outside-edge");
 }
 
-TEST(SeamPlaces, RefuseAnEdgeSewnTwice) {
+TEST(SeamPlaces, TakeAnEdgeSewnToSeveral) {
   Pattern pattern = two_strips(.3, .3);
   pattern.pieces.push_back(rectangle("c", .3, .05));
   pattern.seams.push_back({"again", span("c", 1, "top", 1, 0), span("a", 1, "bottom", .4, .6), false});
-  const Finding finding = refusal([&] { seam_places(pattern); });
-  EXPECT_EQ(finding.code, "seam.overlap");
-  EXPECT_NE(finding.text.find("seam 'join'"), std::string::npos);
+  EXPECT_EQ(seam_places(pattern).size(), 2u);
+}
+
+TEST(SeamPlaces, RefuseTwoRunsSewnToEachOtherTwice) {
+  Pattern pattern = two_strips(.3, .3);
+  const Seam join = pattern.seams[0];
+  for (const bool exchanged : {false, true}) {
+    pattern.seams.resize(1);
+    Seam again{"again", exchanged ? join.b : join.a, exchanged ? join.a : join.b, false};
+    pattern.seams.push_back(again);
+    const Finding finding = refusal([&] { seam_places(pattern); });
+    EXPECT_EQ(finding.code, "seam.overlap");
+    EXPECT_NE(finding.text.find("seam 'join'"), std::string::npos);
+    EXPECT_FALSE(finding.remedy.empty());
+  }
+  pattern.seams = {{"fold", span("a", 1, "bottom", 0, .6), span("a", 1, "bottom", 1, .5), false}};
+  EXPECT_EQ(refusal([&] { seam_places(pattern); }).code, "seam.overlap");
 }
 
 TEST(SeamPlaces, MakeEndsWithinHalfAMillimetreAgree) {
@@ -182,6 +196,56 @@ TEST(SampleOutlines, AreFinerWhereChordsWouldCross) {
     twice_area += a.x() * b.y() - a.y() * b.x();
   }
   EXPECT_GT(twice_area, 0);
+}
+
+// A band with a strip over its whole lower edge and shorter ones on top of it.
+Pattern layered_strips() {
+  Pattern pattern;
+  pattern.pieces = {rectangle("band", .6, .05), rectangle("skirt", .6, .2), rectangle("over", .6, .1),
+                    rectangle("flap", .2, .1)};
+  pattern.seams = {{"1", span("band", 1, "bottom"), span("skirt", 1, "top", 1, 0), false},
+                   {"2", span("band", 1, "bottom"), span("over", 1, "top", 1, 0), false},
+                   {"3", span("band", 1, "bottom", .21, .54), span("flap", 1, "top", 1, 0), false}};
+  return pattern;
+}
+
+TEST(SampleOutlines, DivideAllEdgesOfOneSeamAlike) {
+  const auto samples = sample_outlines(layered_strips(), 15e-3);
+  const auto at = [&](std::size_t piece, int edge) {
+    std::vector<double> places;
+    for (const OutlineSample& sample : samples[piece])
+      if (sample.edge == edge) places.push_back(edge == 2 ? 1 - sample.at : sample.at);
+    std::sort(places.begin(), places.end());
+    return places;
+  };
+  auto band = at(0, 0);
+  band.push_back(1);
+  for (const std::size_t piece : {1u, 2u}) {
+    auto hung = at(piece, 2);
+    hung.insert(hung.begin(), 0);
+    ASSERT_EQ(hung.size(), band.size());
+    for (std::size_t i = 0; i < band.size(); ++i) EXPECT_NEAR(hung[i], band[i], 1e-12);
+  }
+  // The ends of the flap are marks on all of them.
+  for (const double end : {.21, .54})
+    EXPECT_TRUE(std::any_of(band.begin(), band.end(), [&](double b) { return std::abs(b - end) < 1e-12; }));
+  auto flap = at(3, 2);
+  flap.insert(flap.begin(), 0);
+  const auto inside = std::count_if(band.begin(), band.end(), [](double b) { return b > .21 - 1e-9 && b < .54 + 1e-9; });
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(flap.size()), inside);
+}
+
+TEST(SampleOutlines, RefuseThreeEdgesThatDoNotCloseUpon) {
+  // b and c are each sewn to a from its start, and to each other from opposite ends: every edge would fold onto itself.
+  Pattern pattern;
+  pattern.pieces = {rectangle("a", .3, .1), rectangle("b", .3, .1), rectangle("c", .3, .1)};
+  pattern.seams = {{"1", span("a", 1, "top"), span("b", 1, "bottom", 1, 0), false},
+                   {"2", span("a", 1, "top"), span("c", 1, "bottom", 1, 0), false},
+                   {"3", span("b", 1, "bottom"), span("c", 1, "bottom", 1, 0), false}};
+  EXPECT_EQ(refusal([&] { sample_outlines(pattern, 15e-3); }).code, "seam.not-manifold");
+  // The right way round it only says again what the first two say.
+  pattern.seams[2] = {"3", span("b", 1, "bottom"), span("c", 1, "bottom"), true};
+  EXPECT_NO_THROW(sample_outlines(pattern, 15e-3));
 }
 
 }  // namespace

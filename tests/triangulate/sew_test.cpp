@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "garment/welds.h"
 #include "geometry/topology.h"
 #include "triangulate/expect_code.h"
 #include "triangulate/sample_patterns.h"
@@ -150,19 +151,57 @@ TEST(Sew, RefusesATwistedSeamUnlessItIsMeant) {
   EXPECT_EQ(refusal([&] { sewn(fronts); }).code, "seam.twisted");
 }
 
-TEST(Sew, RefusesAThirdLayer) {
+TEST(Sew, JoinsThreeLayersAlongOneLine) {
   Pattern pattern;
   Piece strip = rectangle("strip", .2, .1);
   strip.quantity = 3;
   pattern.pieces = {strip};
   pattern.seams = {{"1", span("strip", 1, "top"), span("strip", 2, "bottom", 1, 0), false},
                    {"2", span("strip", 3, "top"), span("strip", 2, "bottom", 1, 0), false}};
-  EXPECT_EQ(refusal([&] { sewn(pattern); }).code, "seam.overlap");
-  // Without a doubled edge, but closed upon itself so that three panels share one line.
+  const GarmentMesh garment = sewn(pattern);
+  const PanelMesh& panel = garment.panels[0];
+  const auto along = std::count_if(panel.boundary.begin(), panel.boundary.end(), [](const auto& v) { return v.edge == 0; });
+  // Every side along the line twice more than once; discs that meet in a line are still a disc.
+  EXPECT_EQ(garment.vertex_count, 3 * panel.rest.cols() - 2 * (along + 1));
+  int further = 0;
+  for (const MeshEdge& edge : mesh_edges(garment.triangles)) further += edge.further != -1;
+  EXPECT_EQ(further, along);
+  EXPECT_EQ(euler(garment) + further, 1);
+  // Closed upon itself so that three panels make a ring.
   pattern.seams = {{"1", span("strip", 1, "top"), span("strip", 2, "bottom", 1, 0), false},
                    {"2", span("strip", 2, "top", 1, 0), span("strip", 3, "bottom"), false},
                    {"3", span("strip", 1, "bottom", 1, 0), span("strip", 3, "top"), false}};
   EXPECT_EQ(euler(sewn(pattern)), 0);
+}
+
+// A waistband with a skirt, and a shorter, wider one over it.
+TEST(Sew, HangsAnOverskirtIntoTheWaistSeam) {
+  Pattern pattern = gored_skirt();
+  Piece outer = gore(.72 / 8, 3. / 8, .3);
+  outer.name = "outer";
+  outer.quantity = 8;
+  pattern.pieces.push_back(outer);
+  for (int c = 1; c <= 8; ++c) {
+    pattern.seams.push_back({"", span("outer", c, "right"), span("outer", c % 8 + 1, "left", 1, 0), false});
+    pattern.seams.push_back({"", span("waistband", 1, "bottom", (c - 1) / 8., c / 8.), span("outer", c, "waist", 1, 0), false});
+  }
+  for (const double h : {.06, .03, .015}) {
+    const GarmentMesh garment = sewn(pattern, h);
+    EXPECT_EQ(holes(garment), 3u);
+    for (const BoundarySegment& segment : boundary_segments(garment)) EXPECT_LE(segment.mates.size(), 2u);
+    EXPECT_NO_THROW(check(garment));
+  }
+}
+
+TEST(Sew, RefusesATwistedThirdLayer) {
+  Pattern pattern;
+  pattern.pieces = {rectangle("band", .3, .1), rectangle("skirt", .3, .2), rectangle("over", .3, .1)};
+  pattern.seams = {{"1", span("band", 1, "bottom"), span("skirt", 1, "top", 1, 0), false},
+                   {"2", span("band", 1, "bottom"), span("over", 1, "top"), false}};
+  EXPECT_EQ(refusal([&] { sewn(pattern); }).code, "seam.twisted");
+  // Laid on the skirt, its wrong side on the skirt's right side, and sewn to that.
+  pattern.seams[1] = {"2", span("skirt", 1, "top"), span("over", 1, "top"), true};
+  EXPECT_EQ(holes(sewn(pattern)), 2u);
 }
 
 TEST(Sew, RefusesPanelsOfAnotherPattern) {

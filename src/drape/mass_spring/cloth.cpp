@@ -63,8 +63,8 @@ Cloth make_cloth(const GarmentMesh& garment, const Fabric& fabric, const Body& b
   }
   for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
     double area = 0;
-    for (const int t : edge.triangle)
-      if (t >= 0) area += std::abs(shapes[static_cast<std::size_t>(t)].determinant()) / 2 / 4;
+    for (std::size_t s = 0; s < 2; ++s)
+      if (is_new(edge, s)) area += std::abs(shapes[static_cast<std::size_t>(edge.triangle[s])].determinant()) / 2 / 4;
     cloth.samples.push_back({edge.vertex, area});
   }
   return cloth;

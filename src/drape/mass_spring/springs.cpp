@@ -192,8 +192,8 @@ std::vector<Spring> edge_springs(const GarmentMesh& garment, const Fabric& fabri
   for (const MeshEdge& edge : mesh_edges(garment.triangles)) {
     std::array<Spring, 2> sides;
     for (std::size_t s = 0; s < 2; ++s) {
+      if (!is_new(edge, s)) continue;
       const int t = edge.triangle[s];
-      if (t < 0) continue;
       std::size_t k = 0;
       while (garment.triangles(static_cast<Eigen::Index>(k), t) == edge.opposite[s] ||
              garment.triangles(static_cast<Eigen::Index>((k + 1) % 3), t) == edge.opposite[s])

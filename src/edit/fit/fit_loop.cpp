@@ -135,6 +135,7 @@ std::vector<FitLoop> fit_loops(const EditInput& input, const std::string& loop_n
   const LevelMesh mesh = level_mesh(input.garment.triangles);
   const VertexNeighbours neighbours = neighbours_of(mesh, input.drape.cols());
   const NamedLoops named = resolve_loops(input, loop_name, "edit 'fit', loop");
+  const std::set<int> seams = layered_seams(mesh);
   std::vector<FitLoop> fits;
   for (const VertexLoop& loop : named.loops) {
     FitLoop fit;
@@ -148,7 +149,8 @@ std::vector<FitLoop> fit_loops(const EditInput& input, const std::string& loop_n
     fit.room = room_inwards(input.body, input.drape, loop, fit.axis, fit.outward, reach, least);
 
     std::vector<bool> connected(neighbours.size(), false);
-    for (const int v : reached(neighbours, loop, {})) connected[static_cast<std::size_t>(v)] = true;
+    const std::vector<int> part = layer_of(neighbours, loop, anchor == "auto" ? seams : std::set<int>{});
+    for (const int v : part) connected[static_cast<std::size_t>(v)] = true;
     std::vector<VertexLoop> anchors;
     if (anchor == "auto") {
       for (const double sign : {-1.0, 1.0}) {
@@ -157,6 +159,9 @@ std::vector<FitLoop> fit_loops(const EditInput& input, const std::string& loop_n
                                          release, sign < 0);
         if (!ring.empty()) anchors.push_back(std::move(ring));
       }
+      // An overskirt is altered by itself: as far as the seam it hangs from.
+      const std::vector<int> seam = edge_of_layer(neighbours, part, seams);
+      if (!seam.empty()) anchors.push_back(seam);
     } else if (anchor != "none") {
       anchors = anchors_named(input, anchor, loop);
     }

@@ -29,7 +29,8 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
   };
   std::set<int> on_boundary;
   for (const MeshEdge& edge : mesh.edges)
-    if (edge.triangle[1] < 0) on_boundary.insert(edge.vertex.begin(), edge.vertex.end());
+    if (edge.triangle[1] < 0 && edge.further == -1) on_boundary.insert(edge.vertex.begin(), edge.vertex.end());
+  const std::set<int> seams = layered_seams(mesh);
   const bool automatic = anchor == "auto";
   NamedLoops loops = named_loops(loop_name, loop_place, LevelSide::nearer);
   if (loops.level) {  // the far side of its plane, so that what is before it can be scaled right up to it
@@ -42,7 +43,7 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
     Handle handle;
     handle.loop = loop;
     handle.axis = limb_direction(places, loop);
-    const std::vector<int> part = reached(neighbours, loop, {});
+    const std::vector<int> part = layer_of(neighbours, loop, automatic ? seams : std::set<int>{});
     std::vector<bool> connected(neighbours.size(), false);
     double middle = 0;
     for (const int v : part) {
@@ -66,9 +67,14 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
         automatic_anchor(input, mesh, contact, loop, handle.axis, handle.level, connected, by, memory);
     handle.tight_edge = found.tight_edge;
     if (automatic && !found.ring.empty()) named.loops.push_back(found.ring);
+    // An overskirt is altered by itself: as far as the seam it hangs from.
+    const std::vector<int> seam = automatic ? edge_of_layer(neighbours, part, seams) : std::vector<int>{};
+    const bool from_seam = automatic && found.ring.empty() && !seam.empty();
+    if (from_seam) named.loops.push_back(seam);
 
     std::set<int> blocked;
     for (const VertexLoop& ring : named.loops) blocked.insert(ring.begin(), ring.end());
+    blocked.insert(seam.begin(), seam.end());
     handle.moving = reached(neighbours, loop, blocked);
     for (const VertexLoop& ring : named.loops)
       if (touches(neighbours, ring, handle.moving)) handle.anchor.push_back(ring);
@@ -84,7 +90,7 @@ std::vector<Handle> make_handles(const EditInput& input, const std::string& loop
       handle.anchor_level += level_of(named, input.drape, ring, handle.axis) / static_cast<double>(handle.anchor.size());
       for (const int v : ring) nearest_anchor = std::max(nearest_anchor, handle.axis.dot(input.drape.col(v)));
     }
-    if (automatic) handle.anchor_level = found.level;
+    if (automatic && !from_seam) handle.anchor_level = found.level;
     for (const int v : loop) nearest_loop = std::min(nearest_loop, handle.axis.dot(input.drape.col(v)));
     handle.room = nearest_loop - nearest_anchor;
     handles.push_back(std::move(handle));

@@ -40,24 +40,27 @@ std::pair<int, int> sorted(int a, int b) { return {std::min(a, b), std::max(a, b
                   "choose a loop that goes all the way round, or name every loop that has to be cut"});
 }
 
+// By mesh edge and its direction: triangles on its left, several where several pieces are sewn into one seam.
+using LeftOf = std::multimap<std::pair<int, int>, int>;
+
 // The two sides of a seam, as triangles: on the left of the loop as it runs, and on the right.
 struct SeamSides {
   std::vector<int> left, right;
 };
 
-SeamSides sides_of(const VertexLoop& loop, const std::map<std::pair<int, int>, int>& left_of) {
+SeamSides sides_of(const VertexLoop& loop, const LeftOf& left_of) {
   SeamSides sides;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const int a = loop[i], b = loop[(i + 1) % loop.size()];
-    if (const auto found = left_of.find({a, b}); found != left_of.end()) sides.left.push_back(found->second);
-    if (const auto found = left_of.find({b, a}); found != left_of.end()) sides.right.push_back(found->second);
+    for (auto [at, end] = left_of.equal_range({a, b}); at != end; ++at) sides.left.push_back(at->second);
+    for (auto [at, end] = left_of.equal_range({b, a}); at != end; ++at) sides.right.push_back(at->second);
   }
   return sides;
 }
 
 // Groups of triangles that are beyond the loops.
 std::set<int> groups_beyond_seams(const EditInput& input, const std::vector<CutLoop>& loops, Groups& groups,
-                                  const std::map<std::pair<int, int>, int>& left_of, const std::string& place) {
+                                  const LeftOf& left_of, const std::string& place) {
   const auto axes = trunk_and_limbs(input.body.form);
   std::set<int> beyond, before;
   for (const CutLoop& loop : loops) {
@@ -106,7 +109,7 @@ Parting part_garment(const EditInput& input, const std::vector<CutLoop>& loops, 
   }
   // Triangles that no line crosses, in groups that hang together.
   Groups groups(static_cast<int>(triangles.cols()));
-  std::map<std::pair<int, int>, int> left_of;
+  LeftOf left_of;
   for (const MeshEdge& edge : mesh_edges(triangles)) {
     const int a = edge.triangle[0], b = edge.triangle[1];
     if (b < 0 || across[static_cast<std::size_t>(a)] || across[static_cast<std::size_t>(b)]) continue;
@@ -115,7 +118,7 @@ Parting part_garment(const EditInput& input, const std::vector<CutLoop>& loops, 
   std::vector<std::vector<int>> round(static_cast<std::size_t>(garment.vertex_count));
   for (int t = 0; t < static_cast<int>(triangles.cols()); ++t)
     for (int corner = 0; corner < 3; ++corner) {
-      left_of[{triangles(corner, t), triangles((corner + 1) % 3, t)}] = t;
+      left_of.emplace(std::pair(triangles(corner, t), triangles((corner + 1) % 3, t)), t);
       round[static_cast<std::size_t>(triangles(corner, t))].push_back(t);
     }
   std::set<int> beyond = groups_beyond_seams(input, loops, groups, left_of, place), before;

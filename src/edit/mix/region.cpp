@@ -3,11 +3,13 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "edit/mix/cut_line.h"
 #include "edit/mix/min_cut.h"
@@ -96,9 +98,11 @@ std::vector<int> sides_to_keep(const EditInput& input, const std::vector<LimbAxi
 
 std::vector<VertexLoop> closed_loops(const std::vector<MeshEdge>& edges, const std::vector<int>& sides) {
   std::map<int, std::vector<int>> next;
+  std::array<int, 2> last{-1, -1};  // where several pieces are sewn into one seam there is one line
   for (const MeshEdge& edge : edges)
     if (edge.triangle[1] >= 0 &&
-        sides[static_cast<std::size_t>(edge.triangle[0])] != sides[static_cast<std::size_t>(edge.triangle[1])]) {
+        sides[static_cast<std::size_t>(edge.triangle[0])] != sides[static_cast<std::size_t>(edge.triangle[1])] &&
+        std::exchange(last, edge.vertex) != edge.vertex) {
       next[edge.vertex[0]].push_back(edge.vertex[1]);
       next[edge.vertex[1]].push_back(edge.vertex[0]);
     }
