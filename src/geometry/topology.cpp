@@ -1,5 +1,11 @@
 #include "geometry/topology.h"
 
+// Under AddressSanitizer gcc 12 takes the points that OpenMesh makes by default for uninitialised ones.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -9,6 +15,8 @@
 
 namespace toile {
 namespace {
+
+using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
 // One side of a triangle: from -> to, with the corner it does not touch.
 struct Side {
@@ -70,18 +78,47 @@ int corner_of(const Eigen::Matrix3Xi& triangles, int t, int vertex) {
 }
 
 // For each triangle corner the fan it belongs to: corners of one vertex that are joined through shared edges. A vertex where
-// two parts of the surface merely touch has two fans, and half-edges are sound only fan by fan.
-std::vector<int> fans_of_corners(const Eigen::Matrix3Xi& triangles, const std::vector<Side>& sides) {
+// two parts of the surface merely touch has two fans, and half-edges are sound only fan by fan. `joins(first, last, join)`
+// calls join(a, b) for the sides of an edge that are joined.
+template <class Joins>
+std::vector<int> fans_of_corners(const Eigen::Matrix3Xi& triangles, const std::vector<Side>& sides, const Joins& joins) {
   std::vector<int> parent(3 * static_cast<std::size_t>(triangles.cols()));
   std::iota(parent.begin(), parent.end(), 0);
   for_each_edge(sides, [&](auto first, auto last) {
-    for (auto side = first + 1; side < last; ++side)
-      for (const int vertex : {first->low, first->high})
-        unite(parent, corner_of(triangles, first->triangle, vertex), corner_of(triangles, side->triangle, vertex));
+    joins(first, last, [&](const Side& a, const Side& b) {
+      for (const int vertex : {a.low, a.high})
+        unite(parent, corner_of(triangles, a.triangle, vertex), corner_of(triangles, b.triangle, vertex));
+    });
   });
   std::vector<int> fan(parent.size());
   for (std::size_t c = 0; c < parent.size(); ++c) fan[c] = root_of(parent, static_cast<int>(c));
   return fan;
+}
+
+// Face t is triangle t.
+struct Sheets {
+  HalfEdgeMesh mesh;
+  std::vector<int> fan;  // by vertex of the mesh
+};
+
+// Throws std::invalid_argument.
+Sheets sheets_of(const Eigen::Matrix3Xi& triangles, const std::vector<int>& fan) {
+  Sheets sheets;
+  std::vector<HalfEdgeMesh::VertexHandle> handle(fan.size());
+  for (int t = 0; t < static_cast<int>(triangles.cols()); ++t) {
+    std::array<HalfEdgeMesh::VertexHandle, 3> corners;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      HalfEdgeMesh::VertexHandle& vertex = handle[static_cast<std::size_t>(fan[3 * static_cast<std::size_t>(t) + corner])];
+      if (!vertex.is_valid()) {
+        vertex = sheets.mesh.add_vertex({0, 0, 0});
+        sheets.fan.push_back(fan[3 * static_cast<std::size_t>(t) + corner]);
+      }
+      corners[corner] = vertex;
+    }
+    if (!sheets.mesh.add_face(corners[0], corners[1], corners[2]).is_valid())
+      throw std::invalid_argument("boundary_loops: triangle " + std::to_string(t) + " does not fit an oriented surface");
+  }
+  return sheets;
 }
 
 // The vertices of a closed walk along half-edges that have nothing beyond them. What of it runs along seams is left out when
@@ -137,36 +174,36 @@ std::vector<MeshEdge> mesh_edges(const Eigen::Matrix3Xi& triangles) {
 
 std::vector<std::vector<int>> boundary_loops(const Eigen::Matrix3Xi& triangles) {
   const auto index = [](int i) { return static_cast<std::size_t>(i); };
-  // Half-edge 3 t + c runs from corner c of triangle t to the next; `beyond` is the one it goes on to, -1 where the surface
-  // ends.
-  std::vector<int> beyond(3 * index(static_cast<int>(triangles.cols())), -1);
-  std::vector<bool> seam(beyond.size(), false);
-  const auto half_edge = [&](const Side& side) {
-    return corner_of(triangles, side.triangle, side.rising ? side.low : side.high);
-  };
-  for_each_edge(sorted_sides(triangles), [&](auto first, auto last) {
+  const std::vector<Side> sides = sorted_sides(triangles);
+  std::vector<bool> seam(3 * index(static_cast<int>(triangles.cols())), false);  // by side 3 t + c, from corner c of triangle t
+  for_each_edge(sides, [&](auto first, auto last) {
     if (last - first == 2 && first->rising == (first + 1)->rising)
       throw std::invalid_argument("boundary_loops: not an oriented surface between " + between(first->low, first->high));
-    auto falling = std::find_if(first, last, [](const Side& side) { return !side.rising; });
-    for (auto rising = first; rising->rising && falling != last; ++rising, ++falling) {
-      beyond[index(half_edge(*rising))] = half_edge(*falling);
-      beyond[index(half_edge(*falling))] = half_edge(*rising);
-    }
-    for (auto side = first; last - first > 2 && side != last; ++side) seam[index(half_edge(*side))] = true;
+    for (auto side = first; last - first > 2 && side != last; ++side)
+      seam[index(corner_of(triangles, side->triangle, side->rising ? side->low : side->high))] = true;
   });
+  // Where more than two meet, each of those that face one way goes on as one that faces the other, and what is over ends there.
+  const std::vector<int> fan = fans_of_corners(triangles, sides, [](auto first, auto last, const auto& join) {
+    auto falling = std::find_if(first, last, [](const Side& side) { return !side.rising; });
+    for (auto rising = first; rising->rising && falling != last; ++rising, ++falling) join(*rising, *falling);
+  });
+  const Sheets sheets = sheets_of(triangles, fan);
+  const HalfEdgeMesh& mesh = sheets.mesh;
 
-  const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
   std::vector<std::vector<int>> loops;
-  std::vector<bool> seen(beyond.size(), false);
-  for (int start = 0; start < static_cast<int>(beyond.size()); ++start) {
-    if (beyond[index(start)] >= 0 || seen[index(start)]) continue;
+  std::vector<bool> seen(mesh.n_halfedges(), false);
+  for (const auto start : mesh.halfedges()) {
+    if (!start.is_boundary() || seen[index(start.idx())]) continue;
     std::vector<int> around;
-    for (int at = start; !seen[index(at)];) {
-      seen[index(at)] = true;
-      around.push_back(at);
-      at = next(at);
-      while (beyond[index(at)] >= 0) at = next(beyond[index(at)]);
-    }
+    HalfEdgeMesh::HalfedgeHandle at = start;
+    do {  // a boundary half-edge has the surface on its right, so they are followed backwards
+      seen[index(at.idx())] = true;
+      const HalfEdgeMesh::HalfedgeHandle inner = mesh.opposite_halfedge_handle(at);
+      int corner = 3 * mesh.face_handle(inner).idx();
+      while (fan[index(corner)] != sheets.fan[index(mesh.from_vertex_handle(inner).idx())]) ++corner;
+      around.push_back(corner);
+      at = mesh.prev_halfedge_handle(at);
+    } while (at != HalfEdgeMesh::HalfedgeHandle(start));
     std::vector<int> loop = without_seams(around, seam, triangles);
     if (loop.empty()) continue;
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -216,7 +253,9 @@ std::vector<std::string> defects_of_closed_surface(const Eigen::Matrix3Xi& trian
     if (last - first == 2 && first->rising == (first + 1)->rising) turned.add(where);
   });
   std::map<int, int> fan_at;
-  const std::vector<int> fan = fans_of_corners(triangles, sides);
+  const std::vector<int> fan = fans_of_corners(triangles, sides, [](auto first, auto last, const auto& join) {
+    for (auto side = first + 1; side != last; ++side) join(*first, *side);
+  });
   std::map<int, bool> pinched_at;
   for (int c = 0; c < static_cast<int>(fan.size()); ++c) {
     const int vertex = triangles(c % 3, c / 3);
