@@ -14,6 +14,7 @@
 #include "formats/dxf_aama/profiles.h"
 #include "formats/formats.h"
 #include "formats/garmentcode/garmentcode.h"
+#include "formats/pdf/write_pdf.h"
 #include "formats/seams/seams.h"
 #include "formats/svg/write_svg.h"
 #include "garment/units.h"
@@ -55,6 +56,7 @@ class Conversion {
     rules_.allowances.allowance = length_of("--allowance", options.allowance);
     rules_.allowances.hem = length_of("--hem", options.hem);
     rules_.width = 1.5;
+    printing_ = {options.paper, length_of("--margin", options.margin), length_of("--overlap", options.overlap)};
   }
 
   std::vector<Output> outputs() {
@@ -67,6 +69,7 @@ class Conversion {
                        file_.pattern.sample_size,
                    "Convert once for each --size, or to DXF");
     if (extension == ".svg") return svg();
+    if (extension == ".pdf") return {{options_.out, pdf_bytes(sheet_of(file_.pattern), {}, printing_)}};
     if (extension == ".json") {
       auto [text, losses] = garmentcode_text(file_.pattern);
       report_.append(losses);
@@ -202,6 +205,7 @@ class Conversion {
   PatternFile file_;
   Report& report_;
   SheetRules rules_;
+  PrintOptions printing_;
   Eigen::Matrix3Xd flat_positions_;
 };
 
@@ -209,9 +213,9 @@ class Conversion {
 
 int convert_pattern(const ConvertOptions& options) {
   const std::string extension = lower_case(options.out.extension().string());
-  if (extension != ".dxf" && extension != ".svg" && extension != ".json" && extension != ".obj")
+  if (extension != ".dxf" && extension != ".svg" && extension != ".pdf" && extension != ".json" && extension != ".obj")
     refuse("convert.no-such-format", options.out.string(), "'" + extension + "' is no format Toile writes",
-           "Name it .dxf, .svg, .json or .obj", Fault::cannot_create);
+           "Name it .dxf, .svg, .pdf, .json or .obj", Fault::cannot_create);
   PatternReadOptions reading{{}, options.seams, options.size};
   if (!options.units.empty()) reading.unit_in_metres = length_of("--units", "1" + options.units);
   Loaded<PatternFile> read = read_pattern_file(options.in, reading);

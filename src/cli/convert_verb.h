@@ -15,6 +15,8 @@ struct ConvertOptions {
   std::string units;             // of the input, when it does not say
   std::string allowance, hem;    // of edges without their own; empty: none
   std::string grading = "nest";  // of DXF: "nest", "rules", "none"
+  std::string paper = "roll";    // of PDF: formats/pdf/papers.h
+  std::string margin = "10 mm", overlap = "10 mm";  // of the pages of a PDF
   bool unfold = false;
   bool force = false, quiet = false;
 };
