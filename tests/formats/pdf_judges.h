@@ -64,8 +64,9 @@ struct Picture {
     return grey.at(static_cast<std::size_t>(static_cast<int>(y * 10) * width + static_cast<int>(x * 10)));
   }
 
-  // From (x, y) in the direction (dx, dy) of length 1: how far it is to the middle of the next black line, mm; -1: none.
-  double to_line(double x, double y, double dx, double dy, unsigned char darkest = 64) const {
+  // From (x, y) in the direction (dx, dy) of length 1: how far it is to the middle of the next black line, mm; -1: none. Frames
+  // are lighter.
+  double to_line(double x, double y, double dx, double dy, unsigned char darkest = 85) const {
     double begin = -1;
     for (double way = 0;; way += .1) {
       const double px = x + way * dx, py = y + way * dy;
