@@ -64,7 +64,8 @@ std::vector<CoverPage> cover_pages(const CutSheet& sheet, const TilePlan& plan, 
   small.heading_text = std::min(style.heading_text, tiling.page.x() / 80 / mm_per_m);
   small.frame.shown = true;
   CutSheet told = sheet;
-  const std::vector<std::string> lines = how_to_tape(plan);
+  std::vector<std::string> lines = how_to_tape(plan);
+  lines.emplace_back();
   told.notes.insert(told.notes.begin(), lines.begin(), lines.end());
   const Heading heading = heading_of(told, small, tiling.window().x() + 2 * heading_margin);
   const Vector2d shift = tiling.margin - Vector2d::Constant(heading_margin);

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 
 constexpr double least_margin = 5e-3;  // m; no home printer prints nearer to the edge, and words stand there
 constexpr double most_overlap = 50e-3;
-constexpr int most_pages = 5000;
+constexpr int most_pages = 5000;  // empty ones too
 
 class Printing {
  public:
@@ -35,8 +35,8 @@ class Printing {
     const Vector2d size = svg_size(sheet_, style_, SheetParts::uncoloured);
     const SvgDrawing whole(svg_text(sheet_, style_, SheetParts::uncoloured), size);
     TilePlan plan{unrolled(size, margin_, overlap_), {}};
-    plan.printed.assign(count(plan.tiling), true);
-    if (plan.pages() > 1) {
+    choose(plan, [&](const PageBox& part) { return whole.marks(part); });
+    if (plan.printed.size() > 1) {
       tiles(plan, whole, 0);
     } else {
       pages_.begin(size, tile_name(0, 0));
@@ -49,7 +49,9 @@ class Printing {
     const Vector2d size = svg_size(sheet_, style_, SheetParts::pieces);
     const SvgDrawing pieces(svg_text(sheet_, style_, SheetParts::pieces), size);
     TilePlan plan{tiled(size, mm_per_m * Vector2d(paper.width, paper.length), margin_, overlap_), {}};
-    choose(plan, pieces, size);
+    // Also what lies inside a piece: the paper pattern has no holes.
+    const SvgDrawing filled = outlines(size, 1);
+    choose(plan, [&](const PageBox& part) { return filled.marks(part) || pieces.marks(part); });
     const std::vector<CoverPage> covers = cover_pages(sheet_, plan, style_);
     for (const CoverPage& cover : covers) {
       pages_.begin(plan.tiling.page, cover.map ? "map" : "notes");
@@ -76,14 +78,12 @@ class Printing {
     return {svg_text(sheet_, thin, SheetParts::outlines), size};
   }
 
-  // Printed is what something is drawn on, and what lies inside a piece: the paper pattern has no holes.
-  void choose(TilePlan& plan, const SvgDrawing& pieces, const Vector2d& size) const {
-    const SvgDrawing filled = outlines(size, 1);
+  template <class Shows>
+  static void choose(TilePlan& plan, const Shows& shows) {
     plan.printed.reserve(count(plan.tiling));
     for (int row = 0; row < plan.tiling.rows; ++row)
       for (int column = 0; column < plan.tiling.columns; ++column) {
-        const PageBox part{plan.tiling.corner(row, column), plan.tiling.window()};
-        plan.printed.push_back(filled.marks(part) || pieces.marks(part));
+        plan.printed.push_back(shows(PageBox{plan.tiling.corner(row, column), plan.tiling.window()}));
       }
   }
 

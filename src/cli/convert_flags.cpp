@@ -48,6 +48,10 @@ Verb add_convert(CLI::App& app) {
   verb->add_option("--grading", options.grading, "of a graded pattern as DXF: nest, rules (OUT.rul beside it), none")
       ->check(CLI::IsMember({"nest", "rules", "none"}))
       ->capture_default_str();
+  verb->add_option(
+          "--width", options.width,
+          "of the sheet that the pieces are laid on, such as a plotter's roll (default: 1.5 m, or wider for a wide piece)")
+      ->type_name("LENGTH");
   verb->add_option("--paper", options.paper, "of PDF: " + paper_names())
       ->check(CLI::Validator([](std::string& name) { return find_paper(name) || is_roll(name) ? "" : "is " + paper_names(); },
                              "", "paper"))

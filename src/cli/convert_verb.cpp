@@ -55,7 +55,7 @@ class Conversion {
       : options_(options), file_(std::move(file)), report_(report) {
     rules_.allowances.allowance = length_of("--allowance", options.allowance);
     rules_.allowances.hem = length_of("--hem", options.hem);
-    rules_.width = 1.5;
+    rules_.width = options.width.empty() ? 1.5 : length_of("--width", options.width);
     printing_ = {options.paper, length_of("--margin", options.margin), length_of("--overlap", options.overlap)};
   }
 
@@ -69,7 +69,7 @@ class Conversion {
                        file_.pattern.sample_size,
                    "Convert once for each --size, or to DXF");
     if (extension == ".svg") return svg();
-    if (extension == ".pdf") return {{options_.out, pdf_bytes(sheet_of(file_.pattern), {}, printing_)}};
+    if (extension == ".pdf") return pdf();
     if (extension == ".json") {
       auto [text, losses] = garmentcode_text(file_.pattern);
       report_.append(losses);
@@ -105,6 +105,7 @@ class Conversion {
   CutSheet sheet_of(const Pattern& pattern) const {
     SheetRules rules = rules_;
     for (const Piece& piece : pattern.pieces) {
+      if (!options_.width.empty()) break;
       Eigen::AlignedBox2d box;
       for (const Edge& edge : piece.outline)
         for (const OutlinePoint& point : edge.points) box.extend(point.at);
@@ -169,6 +170,19 @@ class Conversion {
                    "Convert to DXF too: its seams file has them");
     CutSheet sheet = sheet_of(file_.pattern);
     return {{options_.out, svg_text(sheet)}};
+  }
+
+  // Paper is not laid out for what lies beside the pieces.
+  std::vector<Output> pdf() {
+    CutSheet sheet = sheet_of(file_.pattern);
+    if (options_.width.empty()) {
+      sheet.page_width = .25;  // m: room for notes and test squares
+      for (const PlacedPiece& placed : sheet.placed)
+        for (const OutlinePoint& point : placed.cut.cut_line)
+          sheet.page_width =
+              std::max(sheet.page_width, (Eigen::Rotation2Dd(placed.turn) * point.at + placed.shift).x() + rules_.margin);
+    }
+    return {{options_.out, pdf_bytes(sheet, {}, printing_)}};
   }
 
   GarmentMesh flat() {

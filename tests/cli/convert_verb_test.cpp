@@ -59,6 +59,8 @@ TEST(Convert, WritesAPdfOnThePaperAskedFor) {
   EXPECT_LT(a4, 200'000u);
   pages("none.pdf", {"--paper", "none"});
   EXPECT_EQ(contents(work / "none.pdf"), contents(work / "roll.pdf"));
+  pages("wide.pdf", {"--width", "60 in"});
+  EXPECT_NE(contents(work / "wide.pdf"), contents(work / "roll.pdf"));
 }
 
 TEST(Convert, RefusesAPdfThatCannotBePrintedOrRead) {
@@ -69,6 +71,9 @@ TEST(Convert, RefusesAPdfThatCannotBePrintedOrRead) {
   EXPECT_NE(unknown.err.find("letter"), std::string::npos) << unknown.err;
   EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--margin", "1 mm"}).status, 65);
   EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--overlap", "wide"}).status, 65);
+  const auto narrow = run_program({"convert", skirt, out, "--width", "5 cm"});
+  EXPECT_EQ(narrow.status, 65);
+  EXPECT_NE(narrow.err.find("cut.page-too-narrow"), std::string::npos) << narrow.err;
   EXPECT_TRUE(work.everything().empty());
   work.write("a.pdf", "%PDF-1.7\n");
   const auto read = run_program({"inspect", out});
