@@ -129,7 +129,7 @@ TEST_F(RecipeFile, ThePaperOfTheCutSheetIsOneThereIs) {
   EXPECT_EQ(letter.value->print.overlap, 0);
   const Finding no_paper = error_of(least + "[print]\npaper = \"a9\"\n");
   EXPECT_EQ(no_paper.code, "pdf.no-such-paper");
-  EXPECT_EQ(no_paper.place, at_line(9));
+  EXPECT_EQ(no_paper.place, at_line(8));
   EXPECT_NE(no_paper.remedy.find("letter"), std::string::npos) << no_paper.remedy;
   EXPECT_EQ(error_of(least + "[print]\nmargin = \"1 mm\"\n").code, "pdf.margin");
 }
