@@ -76,7 +76,7 @@ TEST(Convert, RefusesAPdfThatCannotBePrintedOrRead) {
   EXPECT_NE(narrow.err.find("cut.page-too-narrow"), std::string::npos) << narrow.err;
   EXPECT_TRUE(work.everything().empty());
   work.write("a.pdf", "%PDF-1.7\n");
-  const auto read = run_program({"inspect", out});
+  const auto read = run_program({"convert", out, (work / "a.svg").string()});
   EXPECT_EQ(read.status, 65);
   EXPECT_NE(read.err.find("format.pdf"), std::string::npos) << read.err;
 }
