@@ -69,8 +69,8 @@ Loaded<PatternFile> read_pattern_file(const std::filesystem::path& file, const P
     Report report;
     report.error(
         "format.pdf", file.filename().string(), "a PDF is lines on paper: Toile writes it, and does not read it",
-        "Give the DXF or SVG it was made from; or draw it as SVG (inkscape IN.pdf --export-filename=OUT.svg), look what "
-        "toile inspect finds in that, and check its size");
+        "Give the DXF or SVG it was made from; or turn a page into SVG (inkscape IN.pdf --export-filename=OUT.svg) and see "
+        "with toile inspect whether its pieces and its size are right");
     return {std::nullopt, report};
   }
   if (!format) {
