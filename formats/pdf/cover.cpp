@@ -63,12 +63,18 @@ std::vector<CoverPage> cover_pages(const CutSheet& sheet, const TilePlan& plan, 
   SheetStyle small = style;
   small.heading_text = std::min(style.heading_text, tiling.page.x() / 80 / mm_per_m);
   small.frame.shown = true;
-  CutSheet told = sheet;
-  std::vector<std::string> lines = how_to_tape(plan);
-  lines.emplace_back();
-  told.notes.insert(told.notes.begin(), lines.begin(), lines.end());
-  const Heading heading = heading_of(told, small, tiling.window().x() + 2 * heading_margin);
   const Vector2d shift = tiling.margin - Vector2d::Constant(heading_margin);
+  CutSheet told = sheet;
+  Heading heading;
+  for (std::size_t kept = sheet.notes.size();; --kept) {
+    told.notes = how_to_tape(plan);
+    told.notes.emplace_back();
+    told.notes.insert(told.notes.end(), sheet.notes.begin(), sheet.notes.begin() + static_cast<std::ptrdiff_t>(kept));
+    const std::size_t left_out = sheet.notes.size() - kept;
+    if (left_out > 0) told.notes.push_back("and " + std::to_string(left_out) + " notes that have no room on this paper");
+    heading = heading_of(told, small, tiling.window().x() + 2 * heading_margin);
+    if (kept == 0 || shift.y() + heading.height <= tiling.page.y()) break;
+  }
 
   std::vector<CoverPage> pages(1);
   XmlText xml;

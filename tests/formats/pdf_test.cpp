@@ -277,6 +277,20 @@ TEST_F(PdfSeen, PrintsTheCertificateAndTheNamesOfThePieces) {
   EXPECT_NE(test::text_of(file, 2).find("FRONT"), std::string::npos);
 }
 
+TEST_F(PdfSeen, ManyNotesTakeAPageOfTheirOwn) {
+  const Folder folder;
+  CutSheet sheet = one_piece();
+  for (int i = 0; i < 200; ++i) sheet.notes.push_back("note " + std::to_string(i));
+  const auto file = written(folder, sheet, {"a4", .010, .010});
+  EXPECT_EQ(page_sizes(file).size(), 2u + 2 * 2);
+  const std::string notes = test::text_of(file, 1, 1), map = test::text_of(file, 2, 2);
+  EXPECT_NE(notes.find("note 19\n"), std::string::npos);
+  EXPECT_NE(notes.find("notes that have no room on this paper"), std::string::npos);
+  EXPECT_NE(notes.find("drill hole"), std::string::npos);  // squares and legend stand below
+  EXPECT_NE(map.find("B2"), std::string::npos) << map;
+  EXPECT_GT(test::place_of_word(file, 2, "B2").first, test::place_of_word(file, 2, "B1").first);
+}
+
 TEST_F(PdfSeen, AsksForActualSizeAndHoldsNoPictures) {
   const Folder folder;
   for (const char* paper : {"a4", "roll"}) {
