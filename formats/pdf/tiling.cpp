@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace toile {
 namespace {
@@ -47,6 +48,18 @@ bool TilePlan::prints(int row, int column) const {
 }
 
 int TilePlan::pages() const { return static_cast<int>(std::count(printed.begin(), printed.end(), true)); }
+
+void TilePlan::drop_empty_columns() {
+  int wide = 1;
+  for (int row = 0; row < tiling.rows; ++row)
+    for (int column = wide; column < tiling.columns; ++column)
+      if (prints(row, column)) wide = column + 1;
+  std::vector<bool> kept;
+  for (int row = 0; row < tiling.rows; ++row)
+    for (int column = 0; column < wide; ++column) kept.push_back(prints(row, column));
+  printed = std::move(kept);
+  tiling.columns = wide;
+}
 
 std::string tile_name(int row, int column) {
   std::string letters;

@@ -34,6 +34,7 @@ struct TilePlan {
 
   bool prints(int row, int column) const;  // false beyond the sheet
   int pages() const;
+  void drop_empty_columns();  // at the right end: cloth that is wider than its pieces
 };
 
 // "A1": rows are letters (A to Z, AA ...), columns numbers from 1.

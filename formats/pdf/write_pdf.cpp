@@ -52,6 +52,7 @@ class Printing {
     // Also what lies inside a piece: the paper pattern has no holes.
     const SvgDrawing filled = outlines(size, 1);
     choose(plan, [&](const PageBox& part) { return filled.marks(part) || pieces.marks(part); });
+    plan.drop_empty_columns();
     const std::vector<CoverPage> covers = cover_pages(sheet_, plan, style_);
     for (const CoverPage& cover : covers) {
       pages_.begin(plan.tiling.page, cover.map ? "map" : "notes");

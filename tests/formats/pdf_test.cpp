@@ -102,6 +102,17 @@ TEST(Tiling, TakesTheFewestPagesThatCoverTheSheet) {
   EXPECT_THROW(tiled({100, 100}, {50, 50}, 20, 10), std::invalid_argument);
 }
 
+TEST(Tiling, EndsWithTheLastColumnThatIsPrinted) {
+  TilePlan plan{tiled({700, 500}, {210, 297}, 10, 10), {false, true, false, false, true, false, false, false}};
+  ASSERT_EQ(plan.tiling.columns, 4);
+  plan.drop_empty_columns();
+  EXPECT_EQ(plan.tiling.columns, 2);
+  EXPECT_EQ(plan.printed, (std::vector<bool>{false, true, true, false}));
+  EXPECT_EQ(plan.pages(), 2);
+  EXPECT_TRUE(plan.prints(1, 0));
+  EXPECT_FALSE(plan.prints(1, 2));
+}
+
 TEST(Tiling, NamesRowsByLettersAndColumnsByNumbers) {
   EXPECT_EQ(tile_name(0, 0), "A1");
   EXPECT_EQ(tile_name(2, 11), "C12");
