@@ -49,7 +49,7 @@ void draw_map(XmlText& xml, CoverPage& page, const Vector2d& sheet, const TilePl
       drawn(xml.open("rect"), prints ? grid : empty).with("data-type", prints ? "page" : "empty-page");
       xml.with("x", low.x()).with("y", low.y()).with("width", size.x()).with("height", size.y()).close();
       if (!prints) continue;
-      const double letters = std::min({5.0, .4 * size.y(), size.x() / 3.2});
+      const double letters = std::min({tiling.page.x() / 40, .4 * size.y(), size.x() / 3.2});
       xml.open("text").with("font-family", style.font).with("font-size", letters).with("fill", grid.colour);
       xml.with("text-anchor", "middle").with("x", low.x() + size.x() / 2).with("y", low.y() + size.y() / 2 + .35 * letters);
       xml.text(tile_name(row, column)).close();
