@@ -53,8 +53,11 @@ Verb add_convert(CLI::App& app) {
           "of the sheet that the pieces are laid on, such as a plotter's roll (default: 1.5 m, or wider for a wide piece)")
       ->type_name("LENGTH");
   verb->add_option("--paper", options.paper, "of PDF: " + paper_names())
-      ->check(CLI::Validator([](std::string& name) { return find_paper(name) || is_roll(name) ? "" : "is " + paper_names(); },
-                             "", "paper"))
+      ->check(CLI::Validator(
+          [](std::string& name) {
+            return find_paper(name) || is_roll(name) ? "" : "there is no paper '" + name + "': they are " + paper_names();
+          },
+          "", "paper"))
       ->type_name("PAPER")
       ->capture_default_str();
   verb->add_option("--margin", options.margin, "of the pages of PDF, that the printer cannot print on")

@@ -57,6 +57,7 @@ class Conversion {
     rules_.allowances.hem = length_of("--hem", options.hem);
     rules_.width = options.width.empty() ? 1.5 : length_of("--width", options.width);
     printing_ = {options.paper, length_of("--margin", options.margin), length_of("--overlap", options.overlap)};
+    if (auto fault = fault_of(printing_)) refuse(fault->code.c_str(), "--" + fault->place, fault->text, fault->remedy);
   }
 
   std::vector<Output> outputs() {

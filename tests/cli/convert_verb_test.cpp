@@ -68,7 +68,7 @@ TEST(Convert, RefusesAPdfThatCannotBePrintedOrRead) {
   const std::string out = (work / "a.pdf").string();
   const auto unknown = run_program({"convert", skirt, out, "--paper", "a9"});
   EXPECT_EQ(unknown.status, 64);
-  EXPECT_NE(unknown.err.find("letter"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("no paper 'a9': they are a4, letter"), std::string::npos) << unknown.err;
   EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--margin", "1 mm"}).status, 65);
   EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--overlap", "wide"}).status, 65);
   const auto narrow = run_program({"convert", skirt, out, "--width", "5 cm"});
