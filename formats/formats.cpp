@@ -65,6 +65,14 @@ Loaded<PatternFile> read_pattern_file(const std::filesystem::path& file, const P
   const Loaded<std::string> bytes = read_whole_file(file);
   if (!bytes.value) return {std::nullopt, bytes.report};
   const PatternFormat* format = format_of(file, *bytes.value);
+  if (bytes.value->compare(0, 5, "%PDF-") == 0 || (!format && dxf::same_word(file.extension().string(), ".pdf"))) {
+    Report report;
+    report.error(
+        "format.pdf", file.filename().string(), "a PDF is lines on paper: Toile writes it, and does not read it",
+        "Give the DXF or SVG it was made from; or turn a page into SVG (inkscape IN.pdf --export-filename=OUT.svg) and see "
+        "with toile inspect whether its pieces and its size are right");
+    return {std::nullopt, report};
+  }
   if (!format) {
     std::string known;
     for (const PatternFormat& each : formats)

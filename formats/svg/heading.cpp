@@ -144,8 +144,14 @@ Heading heading_of(const CutSheet& sheet, const SheetStyle& style, double width)
   return heading;
 }
 
-XmlText& drawn(XmlText& xml, const LineStyle& line) {
-  xml.with("fill", "none").with("stroke", line.colour).with("stroke-width", line.width * mm_per_m);
+XmlText& open_page(XmlText& xml, double width, double height) {
+  xml.open("svg").with("xmlns", "http://www.w3.org/2000/svg").with("version", "1.1");
+  xml.with("width", in_digits(width) + "mm").with("height", in_digits(height) + "mm");
+  return xml.with("viewBox", "0 0 " + in_digits(width) + " " + in_digits(height));
+}
+
+XmlText& drawn(XmlText& xml, const LineStyle& line, const char* fill) {
+  xml.with("fill", fill).with("stroke", line.colour).with("stroke-width", line.width * mm_per_m);
   std::string dash;
   for (const double part : line.dash) dash += (dash.empty() ? "" : " ") + in_digits(part * mm_per_m);
   return dash.empty() ? xml : xml.with("stroke-dasharray", dash);

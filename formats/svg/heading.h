@@ -18,8 +18,11 @@ struct Heading {
 // `width`: of the page, mm. Blocks stand side by side and go on below where the page is too narrow.
 Heading heading_of(const CutSheet& sheet, const SheetStyle& style, double width);
 
-// Attributes of a line: fill none, stroke, width, dash.
-XmlText& drawn(XmlText& xml, const LineStyle& line);
+// The root of a drawing of that size in mm, one user unit a millimetre.
+XmlText& open_page(XmlText& xml, double width, double height);
+
+// Attributes of a line: fill, stroke, width, dash.
+XmlText& drawn(XmlText& xml, const LineStyle& line, const char* fill = "none");
 // Attributes of text of `size` mm.
 XmlText& lettered(XmlText& xml, const SheetStyle& style, double size);
 

@@ -123,6 +123,11 @@ class PieceDrawing {
     xml_.close();
   }
 
+  void fill() {
+    drawn(xml_.open("path").with("data-type", "cut").with("data-piece", cut_.piece.name), style_.cut, paper_grey);
+    xml_.with("d", path_data(page_.all(places(cut_.cut_line)), true)).close();
+  }
+
  private:
   XmlText& line(const char* type, const LineStyle& style, const std::string& data) {
     return drawn(xml_.open("path").with("data-type", type).with("data-piece", cut_.piece.name), style).with("d", data);
@@ -214,6 +219,7 @@ class PieceDrawing {
     xml_.close();
   }
 
+  static constexpr const char* paper_grey = "#eeeeee";
   static constexpr double spacing = 1.35;  // of the letter size, from line to line
 
   XmlText& xml_;
@@ -224,29 +230,38 @@ class PieceDrawing {
   double turn_;  // radians
 };
 
+bool headed(SheetParts parts) { return parts == SheetParts::whole || parts == SheetParts::uncoloured; }
+
 }  // namespace
 
-std::string svg_text(const CutSheet& sheet, const SheetStyle& style) {
+std::string svg_text(const CutSheet& sheet, const SheetStyle& style, SheetParts parts) {
   if (sheet.placed.empty())
     throw BadInput({.code = "svg.empty-sheet",
                     .place = "cut sheet '" + sheet.title + "'",
                     .text = "there is no piece to draw",
                     .remedy = "give it a pattern with at least one piece"});
-  const double width = sheet.page_width * mm_per_m;
-  const Heading heading = heading_of(sheet, style, width);
-  const double height = sheet.page_length * mm_per_m + heading.height;
+  const Vector2d size = svg_size(sheet, style, parts);
   XmlText xml;
-  xml.open("svg").with("xmlns", "http://www.w3.org/2000/svg").with("version", "1.1");
-  xml.with("width", in_digits(width) + "mm").with("height", in_digits(height) + "mm");
-  xml.with("viewBox", "0 0 " + in_digits(width) + " " + in_digits(height));
+  open_page(xml, size.x(), size.y());
   xml.open("title").text(sheet.title).close();
-  xml.open("rect").with("data-type", "page").with("fill", "#ffffff").with("width", width).with("height", height).close();
-  xml.open("g").with("data-type", "heading");
-  for (const auto& draw : heading.blocks) draw(xml);
-  xml.close();
-  for (const PlacedPiece& placed : sheet.placed) PieceDrawing(xml, sheet, placed, style, height).draw();
+  if (parts == SheetParts::whole)
+    xml.open("rect").with("data-type", "page").with("fill", "#ffffff").with("width", size.x()).with("height", size.y()).close();
+  if (headed(parts)) {
+    xml.open("g").with("data-type", "heading");
+    for (const auto& draw : heading_of(sheet, style, size.x()).blocks) draw(xml);
+    xml.close();
+  }
+  for (const PlacedPiece& placed : sheet.placed) {
+    PieceDrawing drawing(xml, sheet, placed, style, size.y());
+    parts == SheetParts::outlines ? drawing.fill() : drawing.draw();
+  }
   xml.close();
   return xml.done();
+}
+
+Vector2d svg_size(const CutSheet& sheet, const SheetStyle& style, SheetParts parts) {
+  const double width = sheet.page_width * mm_per_m;
+  return {width, sheet.page_length * mm_per_m + (headed(parts) ? heading_of(sheet, style, width).height : 0)};
 }
 
 void write_svg(const std::filesystem::path& file, const CutSheet& sheet, const SheetStyle& style) {

@@ -14,6 +14,7 @@
 #include "formats/dxf_aama/profiles.h"
 #include "formats/formats.h"
 #include "formats/garmentcode/garmentcode.h"
+#include "formats/pdf/write_pdf.h"
 #include "formats/seams/seams.h"
 #include "formats/svg/write_svg.h"
 #include "garment/units.h"
@@ -54,7 +55,9 @@ class Conversion {
       : options_(options), file_(std::move(file)), report_(report) {
     rules_.allowances.allowance = length_of("--allowance", options.allowance);
     rules_.allowances.hem = length_of("--hem", options.hem);
-    rules_.width = 1.5;
+    rules_.width = options.width.empty() ? 1.5 : length_of("--width", options.width);
+    printing_ = {options.paper, length_of("--margin", options.margin), length_of("--overlap", options.overlap)};
+    if (auto fault = fault_of(printing_)) refuse(fault->code.c_str(), "--" + fault->place, fault->text, fault->remedy);
   }
 
   std::vector<Output> outputs() {
@@ -67,6 +70,7 @@ class Conversion {
                        file_.pattern.sample_size,
                    "Convert once for each --size, or to DXF");
     if (extension == ".svg") return svg();
+    if (extension == ".pdf") return pdf();
     if (extension == ".json") {
       auto [text, losses] = garmentcode_text(file_.pattern);
       report_.append(losses);
@@ -102,6 +106,7 @@ class Conversion {
   CutSheet sheet_of(const Pattern& pattern) const {
     SheetRules rules = rules_;
     for (const Piece& piece : pattern.pieces) {
+      if (!options_.width.empty()) break;
       Eigen::AlignedBox2d box;
       for (const Edge& edge : piece.outline)
         for (const OutlinePoint& point : edge.points) box.extend(point.at);
@@ -168,6 +173,19 @@ class Conversion {
     return {{options_.out, svg_text(sheet)}};
   }
 
+  // Paper is not laid out for what lies beside the pieces.
+  std::vector<Output> pdf() {
+    CutSheet sheet = sheet_of(file_.pattern);
+    if (options_.width.empty()) {
+      sheet.page_width = .25;  // m: room for notes and test squares
+      for (const PlacedPiece& placed : sheet.placed)
+        for (const OutlinePoint& point : placed.cut.cut_line)
+          sheet.page_width =
+              std::max(sheet.page_width, (Eigen::Rotation2Dd(placed.turn) * point.at + placed.shift).x() + rules_.margin);
+    }
+    return {{options_.out, pdf_bytes(sheet, {}, printing_)}};
+  }
+
   GarmentMesh flat() {
     GarmentMesh garment;
     garment.panels = triangulate(file_.pattern);
@@ -202,6 +220,7 @@ class Conversion {
   PatternFile file_;
   Report& report_;
   SheetRules rules_;
+  PrintOptions printing_;
   Eigen::Matrix3Xd flat_positions_;
 };
 
@@ -209,9 +228,9 @@ class Conversion {
 
 int convert_pattern(const ConvertOptions& options) {
   const std::string extension = lower_case(options.out.extension().string());
-  if (extension != ".dxf" && extension != ".svg" && extension != ".json" && extension != ".obj")
+  if (extension != ".dxf" && extension != ".svg" && extension != ".pdf" && extension != ".json" && extension != ".obj")
     refuse("convert.no-such-format", options.out.string(), "'" + extension + "' is no format Toile writes",
-           "Name it .dxf, .svg, .json or .obj", Fault::cannot_create);
+           "Name it .dxf, .svg, .pdf, .json or .obj", Fault::cannot_create);
   PatternReadOptions reading{{}, options.seams, options.size};
   if (!options.units.empty()) reading.unit_in_metres = length_of("--units", "1" + options.units);
   Loaded<PatternFile> read = read_pattern_file(options.in, reading);

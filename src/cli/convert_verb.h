@@ -15,6 +15,9 @@ struct ConvertOptions {
   std::string units;             // of the input, when it does not say
   std::string allowance, hem;    // of edges without their own; empty: none
   std::string grading = "nest";  // of DXF: "nest", "rules", "none"
+  std::string width;             // of the sheet; empty: 1.5 m or what the widest piece needs, of a PDF what the pieces need
+  std::string paper = "roll";    // of PDF: formats/pdf/papers.h
+  std::string margin = "10 mm", overlap = "10 mm";  // of the pages of a PDF
   bool unfold = false;
   bool force = false, quiet = false;
 };

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "formats/formats.h"
+#include "formats/pdf/write_pdf.h"
 #include "formats/toml/toml.h"
 #include "garment/tomlplusplus.inc"
 #include "garment/units.h"
@@ -214,6 +215,14 @@ Recipe parse(const toml::table& root, const std::filesystem::path& file) {
   cut.length("width", recipe.cut.width, 0.1);
   cut.length("gap", recipe.cut.gap, 0);
   cut.refuse_unknown();
+
+  Section print = section("print", false);
+  recipe.print.paper = print.text("paper").value_or(recipe.print.paper);
+  print.length("margin", recipe.print.margin, 0);
+  print.length("overlap", recipe.print.overlap, 0);
+  if (const auto fault = fault_of(PrintOptions{recipe.print.paper, recipe.print.margin, recipe.print.overlap}))
+    print.fail(print.find(fault->place), fault->code, fault->text, fault->remedy);
+  print.refuse_unknown();
   top.refuse_unknown();
   return recipe;
 }

@@ -14,7 +14,8 @@ the edited shape, and writes cut sheet and report. The last line on standard out
 
 Written to the output folder:
   NAME.dxf, NAME.seams.toml   the new pattern (AAMA DXF, mm) and what is sewn to what
-  NAME.svg                    cut sheet, true size in mm
+  NAME.svg, NAME.pdf          cut sheet, true size, one page
+  NAME_a4.pdf                 the same in pages to print and tape ([print] paper = "letter" in the recipe)
   report.html, summary.json   the report, for people and for programs
   source.obj, target.obj, flattened.obj, redrape.obj, body.obj
                               metres; the drapes have the same vertices, vt is the rest shape in metres

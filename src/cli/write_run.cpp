@@ -9,6 +9,8 @@
 #include "cli/pictures.h"
 #include "cli/templates.h"
 #include "formats/formats.h"
+#include "formats/pdf/papers.h"
+#include "formats/pdf/write_pdf.h"
 #include "formats/svg/sheet_style.h"
 #include "formats/svg/write_svg.h"
 
@@ -20,8 +22,20 @@ void write_patterns(const Job& job, const OutputFolder& out, const std::string& 
   write_seams(out.path(stem + ".seams.toml"), as_named_in_dxf(cut_pattern(job), job.sheet));
 }
 
+// NAME.svg, NAME.pdf (one page) and NAME_a4.pdf (tiled).
+void write_cut_sheets(const Job& job, const OutputFolder& out, const std::string& stem) {
+  const SheetStyle style = value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml")));
+  write_svg(out.path(stem + ".svg"), job.sheet, style);
+  PrintOptions printing{std::string(roll), job.recipe.print.margin, job.recipe.print.overlap};
+  write_pdf(out.path(stem + ".pdf"), job.sheet, style, printing);
+  const Paper* paper = find_paper(job.recipe.print.paper);
+  if (!paper) return;
+  printing.paper = paper->name;
+  write_pdf(out.path(stem + "_" + printing.paper + ".pdf"), job.sheet, style, printing);
+}
+
 void write_results(const Job& job, const OutputFolder& out, const std::string& stem) {
-  write_svg(out.path(stem + ".svg"), job.sheet, value_or_throw(read_sheet_style(template_file("cut_sheets", "plotter.toml"))));
+  write_cut_sheets(job, out, stem);
   const GarmentMesh& garment = job.target.garment;
   write_obj(out.path("source.obj"), job.worn.garment, job.worn.drape.positions);
   write_obj(out.path("target.obj"), garment, job.target.positions);

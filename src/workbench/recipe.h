@@ -51,6 +51,10 @@ struct Recipe {
     double tolerance = 1e-3;  // of the drapes inside the loop
   } adjust;
   SheetRules cut;
+  struct {
+    std::string paper = "a4";                // of the tiled cut sheet: a name of formats/pdf/papers.h; "roll": none
+    double margin = 10e-3, overlap = 10e-3;  // m
+  } print;
 };
 
 }  // namespace toile

@@ -45,6 +45,42 @@ TEST(Convert, SaysWhatAFormatCannotHold) {
   EXPECT_EQ(run_program({"convert", "--quiet", "--force", skirt, (work / "a.json").string()}).err, "");
 }
 
+TEST(Convert, WritesAPdfOnThePaperAskedFor) {
+  const Workplace work;
+  const auto pages = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"convert", "--quiet", "--allowance", "1 cm", skirt, (work / name).string()});
+    const auto ended = run_program(options);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(contents(work / name).compare(0, 5, "%PDF-"), 0);
+    return std::filesystem::file_size(work / name);
+  };
+  const auto roll = pages("roll.pdf", {}), a4 = pages("a4.pdf", {"--paper", "A4", "--overlap", "15 mm"});
+  EXPECT_LT(roll, a4);
+  EXPECT_LT(a4, 200'000u);
+  pages("none.pdf", {"--paper", "none"});
+  EXPECT_EQ(contents(work / "none.pdf"), contents(work / "roll.pdf"));
+  pages("wide.pdf", {"--width", "60 in"});
+  EXPECT_NE(contents(work / "wide.pdf"), contents(work / "roll.pdf"));
+}
+
+TEST(Convert, RefusesAPdfThatCannotBePrintedOrRead) {
+  const Workplace work;
+  const std::string out = (work / "a.pdf").string();
+  const auto unknown = run_program({"convert", skirt, out, "--paper", "a9"});
+  EXPECT_EQ(unknown.status, 64);
+  EXPECT_NE(unknown.err.find("no paper 'a9': they are a4, letter"), std::string::npos) << unknown.err;
+  EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--margin", "1 mm"}).status, 65);
+  EXPECT_EQ(run_program({"convert", skirt, out, "--paper", "a4", "--overlap", "wide"}).status, 65);
+  const auto narrow = run_program({"convert", skirt, out, "--width", "5 cm"});
+  EXPECT_EQ(narrow.status, 65);
+  EXPECT_NE(narrow.err.find("cut.page-too-narrow"), std::string::npos) << narrow.err;
+  EXPECT_TRUE(work.everything().empty());
+  work.write("a.pdf", "%PDF-1.7\n");
+  const auto read = run_program({"convert", out, (work / "a.svg").string()});
+  EXPECT_EQ(read.status, 65);
+  EXPECT_NE(read.err.find("format.pdf"), std::string::npos) << read.err;
+}
+
 TEST(Convert, RefusesWhatItCannotDoAndLeavesNothingBehind) {
   const Workplace work;
   EXPECT_EQ(run_program({"convert", skirt, (work / "a.doc").string()}).status, 73);

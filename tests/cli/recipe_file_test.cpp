@@ -121,6 +121,19 @@ TEST_F(RecipeFile, WhatIsNotSaidIsTheDefault) {
   EXPECT_EQ(recipe.cut.width, fresh.cut.width);
 }
 
+TEST_F(RecipeFile, ThePaperOfTheCutSheetIsOneThereIs) {
+  const auto letter = read(least + "[print]\npaper = \"Letter\"\nmargin = \"1/4 in\"\noverlap = \"0 mm\"\n");
+  ASSERT_TRUE(letter.value);
+  EXPECT_EQ(letter.value->print.paper, "Letter");
+  EXPECT_DOUBLE_EQ(letter.value->print.margin, .00635);
+  EXPECT_EQ(letter.value->print.overlap, 0);
+  const Finding no_paper = error_of(least + "[print]\npaper = \"a9\"\n");
+  EXPECT_EQ(no_paper.code, "pdf.no-such-paper");
+  EXPECT_EQ(no_paper.place, at_line(8));
+  EXPECT_NE(no_paper.remedy.find("letter"), std::string::npos) << no_paper.remedy;
+  EXPECT_EQ(error_of(least + "[print]\nmargin = \"1 mm\"\n").code, "pdf.margin");
+}
+
 TEST_F(RecipeFile, WindowsLineEndsAreNoTrouble) {
   std::string text;
   for (const char c : least) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -136,7 +149,7 @@ TEST_F(RecipeFile, UnknownKeysAndPartsAreRefusedWithTheirLine) {
     EXPECT_EQ(error.code, "recipe.unknown-key");
     EXPECT_EQ(error.place, at_line(static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + 2));
   }
-  for (const char* part : {"[drape]", "[adjust]", "[cut]"})
+  for (const char* part : {"[drape]", "[adjust]", "[cut]", "[print]"})
     EXPECT_EQ(error_of(least + part + "\nfrobnicate = 1\n").place, at_line(8)) << part;
   const Finding misspelt = error_of(least + "[adjustment]\nsteps = 3\n");
   EXPECT_EQ(misspelt.code, "recipe.unknown-key");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -59,6 +60,11 @@ TEST_F(RecipeVerbs, GradeMakesEverySizeWithItsCertificate) {
     const std::string measured = said["certificate"][1];
     EXPECT_NE(dxf.find("Annotation: " + measured), std::string::npos);
     EXPECT_NE(svg.find("Re-drape of this pattern"), std::string::npos);
+    const std::vector<std::string> files = said["files"];
+    for (const char* sheet : {"shorter.pdf", "shorter_a4.pdf"}) {
+      EXPECT_EQ(contents(here_ / ("out/" + size + "/" + sheet)).compare(0, 5, "%PDF-"), 0) << sheet;
+      EXPECT_NE(std::find(files.begin(), files.end(), sheet), files.end()) << sheet;
+    }
     EXPECT_NE(dxf.find(said["inputs"]["jersey.toml"].get<std::string>().substr(0, 12)), std::string::npos);
   }
   const std::string page = contents(here_ / "out/grading.html");

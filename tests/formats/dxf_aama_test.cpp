@@ -187,7 +187,7 @@ TEST(ReadPattern, TellsFormatsByExtensionThenByContent) {
   const std::string dxf = dxf_aama_bytes(sheet_of({band()}));
   EXPECT_TRUE(read_pattern(save("band.DXF", dxf)).value);
   EXPECT_TRUE(read_pattern(save("band.txt", dxf)).value);
-  const Loaded<Pattern> unknown = read_pattern(save("band.pdf", "%PDF-1.4"));
+  const Loaded<Pattern> unknown = read_pattern(save("band.doc", "a letter"));
   ASSERT_TRUE(find(unknown.report, "format.unknown"));
   EXPECT_NE(find(unknown.report, "format.unknown")->remedy.find("GarmentCode"), std::string::npos);
   EXPECT_TRUE(find(read_pattern(folder / "missing.dxf").report, "file.missing"));
