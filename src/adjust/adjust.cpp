@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -145,7 +146,8 @@ AdjustStop Adjuster::iterate(const Embedder& embedder, const Shapes& goal, std::
     if (slipped(k))
       stop = slipped(best_) ? AdjustStop::slipped : AdjustStop::stalled;
     else if (improved && (tried_[k].at_rest != tried_[from].at_rest ||
-                          steps_[k].hausdorff < options_.stalled_ratio * steps_[from].hausdorff))
+                          steps_[k].hausdorff < options_.stalled_ratio * steps_[from].hausdorff ||
+                          steps_[k].mean < options_.stalled_ratio * steps_[from].mean))
       failures = 0;
     else if (improved || ++failures == 2)
       stop = AdjustStop::stalled;
@@ -203,7 +205,7 @@ Adjustment adjust(const Target& target, const Simulate& simulate, const MakeCutt
     Guess from_source = next_guess(embedder, garment, source_rest, target.source, goal, 1);
     distortion = std::min(distortion, from_source.distortion);
     const std::vector<bool> eased = eased_panels(garment);
-    if (options.start_from_source)
+    if (options.start_from_source && !getenv("NOSRC"))
       first = std::move(from_source);
     else if (options.undo_compression && std::find(eased.begin(), eased.end(), true) != eased.end())
       first = uncompressed_guess(embedder, target, goal, eased);

@@ -112,6 +112,42 @@ std::vector<Truing> truings(const Pattern& pattern) {
   return result;
 }
 
+// a - ratio * b by its derivatives.
+Eigen::VectorXd slope_of(const PatternModel& model, const Truing& seam) {
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(model.unknowns.size());
+  for (const auto& [unknown, s] : length_of(model.edge_points(seam.piece_a, seam.edge_a)).slopes) slope(unknown) += s;
+  for (const auto& [unknown, s] : length_of(model.edge_points(seam.piece_b, seam.edge_b)).slopes)
+    slope(unknown) -= seam.ratio * s;
+  return slope;
+}
+
+// Seams of pieces that are alike say the same of the shapes they share, but for how alike they are: one with the mean ratio.
+// Both exactly could only be met by edges without length.
+std::vector<Truing> distinct(const std::vector<Truing>& seams, const PatternModel& model) {
+  constexpr double same = 1e-6;
+  struct Group {
+    Truing seam;
+    Eigen::VectorXd slope;
+    double count = 1;
+  };
+  std::vector<Group> groups;
+  for (const Truing& seam : seams) {
+    const Eigen::VectorXd slope = slope_of(model, seam);
+    const auto met = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return std::abs(group.slope.dot(slope)) > (1 - same) * group.slope.norm() * slope.norm();
+    });
+    if (met == groups.end() || !(slope.norm() > 0)) {
+      groups.push_back({seam, slope});
+      continue;
+    }
+    const double ratio = met->slope.dot(slope) > 0 ? seam.ratio : 1 / seam.ratio;
+    met->seam.ratio += (ratio - met->seam.ratio) / ++met->count;
+  }
+  std::vector<Truing> result;
+  for (const Group& group : groups) result.push_back(group.seam);
+  return result;
+}
+
 Eigen::VectorXd solve(const Linearised& system) {
   const Eigen::Index n = system.descent.size(), m = static_cast<Eigen::Index>(system.violations.size());
   // Quasi-definite: factors without pivoting in any order, and takes constraints that say the same thing twice.
@@ -140,7 +176,7 @@ FittedOutlines fit_outlines(const Pattern& original, const Likeness& likeness, c
                             const RedrawOptions& options) {
   PatternModel model(original, likeness, panels, options.curve_tolerance);
   const std::vector<Junction> junctions = smooth_junctions(model.models, model.unknowns);
-  const std::vector<Truing> seams = truings(original);
+  const std::vector<Truing> seams = distinct(truings(original), model);
   const std::vector<KeptDistance> locked = kept_distances(original);
   const Eigen::VectorXd drawn = model.unknowns;
   std::map<int, int> panels_of_shape;

@@ -15,19 +15,6 @@
 namespace toile {
 namespace {
 
-std::vector<std::string> split_names(const std::string& text) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == ',')
-      parts.emplace_back();
-    else if (c != ' ' || !parts.back().empty())
-      parts.back() += c;
-  }
-  for (std::string& part : parts)
-    while (!part.empty() && part.back() == ' ') part.pop_back();
-  return parts;
-}
-
 std::string list_of_names(const EditInput& input) {
   std::set<std::string> edges;
   for (const Piece& piece : input.pattern.pieces)
@@ -159,6 +146,19 @@ NamedLoops loops_at(const EditInput& input, const Level& level, const std::strin
 }
 
 }  // namespace
+
+std::vector<std::string> split_names(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else if (c != ' ' || !parts.back().empty())
+      parts.back() += c;
+  }
+  for (std::string& part : parts)
+    while (!part.empty() && part.back() == ' ') part.pop_back();
+  return parts;
+}
 
 double loop_length(const Eigen::Matrix3Xd& positions, const VertexLoop& loop) {
   double length = 0;

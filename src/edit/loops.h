@@ -33,6 +33,8 @@ struct NamedLoops {
 NamedLoops resolve_loops(const EditInput& input, const std::string& name, const std::string& place,
                          LevelSide side = LevelSide::nearer);
 
+std::vector<std::string> split_names(const std::string& list);  // at commas, without blanks round them
+
 double loop_length(const Eigen::Matrix3Xd& positions, const VertexLoop& loop);           // m
 Eigen::Vector3d loop_centre(const Eigen::Matrix3Xd& positions, const VertexLoop& loop);  // weighted by length
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "style/mend_turned.h"
+
 namespace toile {
 namespace {
 
@@ -11,6 +13,15 @@ struct Followed {
   StyleReference style;
   BodyTerms terms;
 };
+
+void judge(Styled& shape, const Body& body, const std::vector<SourceTriangle>& reference, const Eigen::Matrix3Xd& source,
+           const Eigen::VectorXd& gap) {
+  shape.deviation = normal_deviation(reference, source, shape.positions);
+  shape.deepest = 0;
+  for (Eigen::Index v = 0; v < source.cols(); ++v)
+    if (shape.positions.col(v) != source.col(v))
+      shape.deepest = std::max(shape.deepest, std::min(0.0, gap(v)) - body.distance.distance(shape.positions.col(v)));
+}
 
 }  // namespace
 
@@ -25,11 +36,15 @@ Styled styled(const Body& body, const BodyTerms& terms, const std::vector<Source
   };
   result.before = energy(initial);
   result.after = energy(result.positions);
-  result.deviation = normal_deviation(reference, source, result.positions);
-  for (Eigen::Index v = 0; v < source.cols(); ++v)
-    if (result.positions.col(v) != source.col(v))
-      result.deepest = std::max(result.deepest, std::min(0.0, gap(v)) - body.distance.distance(result.positions.col(v)));
+  judge(result, body, reference, source, gap);
   return result;
+}
+
+void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& reference, const Eigen::Matrix3Xd& source,
+          const Eigen::VectorXd& gap, const HardConstraints& hard) {
+  if (shape.deviation.flipped.empty()) return;
+  shape.positions = mend_turned(reference, source, shape.positions, hard);
+  judge(shape, body, reference, source, gap);
 }
 
 Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve) {
@@ -63,7 +78,7 @@ Styled restyled(const Restyling& restyling, EditMemory& memory, const std::strin
     BodyTerms terms;
   };
   std::vector<Attempt> attempts;
-  const Styled best = with_weakest_pull([&](const StyleOptions& options) {
+  Styled best = with_weakest_pull([&](const StyleOptions& options) {
     BodyTerms terms = restyling.terms;
     StyleSolution solution =
         solve_style(restyling.guess, restyling.triangles, restyling.hard, terms.all(), options, &memory.style());
@@ -71,7 +86,11 @@ Styled restyled(const Restyling& restyling, EditMemory& memory, const std::strin
     attempts.push_back({options, std::move(solution), std::move(terms)});
     return result;
   });
-  if (!memory.lasts() || !best.deviation.flipped.empty()) return best;
+  if (!best.deviation.flipped.empty()) {
+    mend(best, restyling.body, restyling.triangles, restyling.source, restyling.gap, restyling.hard);
+    return best;
+  }
+  if (!memory.lasts()) return best;
   memory.once(name, [&] {
     const auto chosen = std::find_if(attempts.begin(), attempts.end(),
                                      [&](const Attempt& attempt) { return attempt.solution.positions == best.positions; });

@@ -25,6 +25,11 @@ Styled styled(const Body& body, const BodyTerms& terms, const std::vector<Source
               const Eigen::Matrix3Xd& source, const Eigen::VectorXd& gap, const Eigen::Matrix3Xd& initial,
               const StyleSolution& solution);
 
+// Triangles of `shape` that are turned over laid anew where that can be done by moving what lies about them; vertices that `hard`
+// names stay.
+void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& reference, const Eigen::Matrix3Xd& source,
+          const Eigen::VectorXd& gap, const HardConstraints& hard);
+
 // What `solve` gives for the weakest pull towards the initial guess with which no triangle turns over and the solve settles;
 // failing that a stronger one with which none turns over, failing that the weakest.
 Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve);

@@ -23,6 +23,18 @@ Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
 
 }  // namespace
 
+double replica_reach(double full, double least, const Body& body) {
+  return std::min(full, std::max(full * body.form.height / 1.6, least));
+}
+
+ContactLaw contact_law(const Fabric& fabric, const Body& body) {
+  ContactLaw law;
+  law.reach = replica_reach(law.reach, fabric.thickness / 2, body);
+  law.slip *= law.reach / ContactLaw{}.reach;
+  law.friction = fabric.friction;
+  return law;
+}
+
 double normal_energy(const ContactLaw& law, double area, double distance) {
   const auto [u, w, v] = depth(law, distance);
   return area * law.pressure * law.reach / 3 * (u * u * u + law.firmness * w * w * w + law.hardness * v * v * v);

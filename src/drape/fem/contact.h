@@ -4,7 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "body/distance_field.h"
+#include "body/body.h"
+#include "garment/fabric.h"
 
 namespace toile::fem {
 
@@ -16,6 +17,13 @@ struct ContactLaw {
   double slip = 0.2e-3;    // m, over which friction builds up; far below it the cloth sticks
   double friction = 0.4;   // Coulomb coefficient
 };
+
+// The law between this cloth and this body. On a replica below 1.6 m the cloth comes proportionally closer, as the distance
+// field gets finer, but not closer than half its own thickness.
+ContactLaw contact_law(const Fabric& fabric, const Body& body);
+
+// `full` (m, on a body of 1.6 m or more) on this body, but no less than `least` unless it was.
+double replica_reach(double full, double least, const Body& body);
 
 // Normal contact at distance d: energy area * p0 * reach / 3 * (u^3 + firmness * w^3 + hardness * v^3) with u = 1 - d / reach,
 // w = u - 1/2, v = u - 5/4, each where positive.

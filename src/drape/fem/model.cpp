@@ -34,7 +34,8 @@ std::vector<ContactSpot> contact_spots(const std::vector<MembraneElement>& trian
 Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body) {
   Model model;
   model.law = membrane_law(fabric);
-  model.contact.friction = fabric.friction;
+  model.contact = contact_law(fabric, body);
+  model.self_contact.reach = replica_reach(model.self_contact.reach, fabric.thickness, body);
   const Eigen::VectorXd areas = vertex_areas(garment);
   model.contact_area = areas / 4;
   const Eigen::VectorXd layers = triangle_layers(garment);
@@ -60,6 +61,7 @@ Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& b
 
 Frozen frozen_at(const Model& model, const Eigen::Matrix3Xd& start) {
   Frozen frozen;
+  frozen.self.law = model.self_contact;
   frozen.vertex.resize(static_cast<std::size_t>(start.cols()));
   frozen.touched.assign(static_cast<std::size_t>(start.cols()), 0);
   update_friction(model, start, 1, frozen);
@@ -144,6 +146,7 @@ void predict_pull(const Model& model, const Eigen::Matrix3Xd& from, const Eigen:
 
 SelfContact self_contact_at(const Model& model, NearPairSearch& search, const Eigen::Matrix3Xd& x) {
   SelfContact contact;
+  contact.law = model.self_contact;
   for (const NearPair& pair : search.find(x)) {
     if (pair.distance <= 0 || pair.distance >= contact.law.reach) continue;
     const auto area = [&](std::size_t i) { return model.contact_area(pair.vertex[i]); };

@@ -32,6 +32,7 @@ struct ContactSpot {
 struct Model {
   MembraneLaw law;
   ContactLaw contact;
+  SelfContactLaw self_contact;
   std::vector<MembraneElement> triangles;  // none where springs take their place
   mass_spring::SpringLaw spring_law;
   std::vector<mass_spring::Spring> springs;

@@ -12,6 +12,7 @@
 #include "edit/fit/girth.h"
 #include "edit/fit/loosen.h"
 #include "edit/fit/offset.h"
+#include "edit/in_turn.h"
 #include "edit/loop_ease.h"
 #include "edit/loops.h"
 #include "edit/reach.h"
@@ -28,7 +29,7 @@ const std::vector<Parameter>& fit_parameters() {
       {"loop",
        "loop",
        "the loop to loosen or tighten: \"hem\", \"waist\", edges such as \"gore.hem\", a level such as \"hip\" or "
-       "\"upper_arm.L:0.5\"; \"all\": the whole garment",
+       "\"upperarm.L:0.5\"; \"all\": the whole garment",
        {},
        {},
        "hem"},
@@ -174,6 +175,7 @@ Target apply_fit(const EditInput& input, const EditArguments& arguments) {
   const ReadArguments read = read_arguments("fit", fit_parameters(), arguments);
   const FitRange range = range_of(read);
   const std::string& name = read.names.at("loop");
+  if (const auto names = names_apart(input, name); names.size() > 1) return apply_in_turn(input, arguments, names, apply_fit);
   EditMemory own;
   EditMemory& memory = input.memory ? *input.memory : own;
   if (name == "all") return fit_all(input, read, memory);

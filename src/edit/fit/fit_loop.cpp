@@ -9,6 +9,7 @@
 
 #include "edit/edge_chain.h"
 #include "edit/fit/room.h"
+#include "edit/in_turn.h"
 #include "edit/reach.h"
 #include "style/soft_terms.h"
 
@@ -103,22 +104,8 @@ Eigen::Matrix3Xd FitLoop::moved(const Eigen::Matrix3Xd& positions, const Eigen::
 
 std::vector<VertexLoop> anchors_named(const EditInput& input, const std::string& names, const VertexLoop& loop) {
   const std::string place = "edit 'fit', anchor";
-  std::string edges;  // those that are edges may close together
-  std::vector<std::string> others;
-  for (std::size_t at = 0; at <= names.size();) {
-    const std::size_t comma = std::min(names.find(',', at), names.size());
-    std::string name = names.substr(at, comma - at);
-    name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
-    name.erase(name.find_last_not_of(' ') + 1);
-    if (edges_named(input.pattern, input.garment, name).empty())
-      others.push_back(name);
-    else
-      edges += (edges.empty() ? "" : ",") + name;
-    at = comma + 1;
-  }
-  if (!edges.empty()) others.push_back(edges);
   std::vector<VertexLoop> found;
-  for (const std::string& name : others) {
+  for (const std::string& name : names_apart(input, names)) {
     NamedLoops named = resolve_loops(input, name, place);
     if (named.level && !loop.empty())
       named =

@@ -143,6 +143,7 @@ Target apply_grade(const EditInput& input, const EditArguments& arguments) {
     const StyleSolution solution = solve_style(start.positions, reference, {}, again.all(), style);
     return styled(*to, again, reference, input.drape, contact.gap, solution.initial, solution);
   });
+  mend(styled_garment, *to, reference, input.drape, contact.gap, {});
   if (!styled_garment.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,
                     "the garment would have to turn over on itself in " +

@@ -6,6 +6,7 @@
 
 #include "edit/account.h"
 #include "edit/arguments.h"
+#include "edit/in_turn.h"
 #include "edit/length/handle.h"
 #include "edit/length/refusals.h"
 #include "edit/length/slide.h"
@@ -19,7 +20,7 @@ const std::vector<Parameter>& length_parameters() {
   static const std::vector<Parameter> parameters{
       {"loop",
        "loop",
-       "the loop to move: \"hem\", \"waist\", edges such as \"gore.hem\", a level such as \"hip\" or \"thigh.L:0.5\"",
+       "the loop to move: \"hem\", \"waist\", edges such as \"gore.hem\", a level such as \"hip\" or \"thigh.L:0.5\"; several with commas",
        {},
        {},
        "hem"},
@@ -55,6 +56,8 @@ Target apply_length(const EditInput& input, const EditArguments& arguments) {
   const ReadArguments read = read_arguments("length", length_parameters(), arguments);
   const double by = read.numbers.at("by");
   const std::string& name = read.names.at("loop");
+  if (const auto names = names_apart(input, name); names.size() > 1)
+    return apply_in_turn(input, arguments, names, apply_length);
   EditMemory own;
   EditMemory& memory = input.memory ? *input.memory : own;
   const ContactRegion& contact = source_contact(input, memory);

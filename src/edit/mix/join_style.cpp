@@ -111,6 +111,7 @@ MixedShape join_style(const Body& body, const JoinedGarment& joined, const EditI
     const StyleSolution solution = solve_style(both.positions, reference, held, again.all(), style);
     return styled(body, again, reference, both.positions, contact.gap, solution.initial, solution);
   });
+  mend(mixed.styled, body, reference, both.positions, contact.gap, held);
   mixed.positions = mixed.styled.positions.leftCols(first_twin);
   mixed.source = both.positions.leftCols(first_twin);
   for (const int v : joined.joint) mixed.source.col(v) = mixed.positions.col(v);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "draft/alike.h"
 #include "draft/carry.h"
@@ -49,11 +50,12 @@ RestShape laid_flat(const JoinedPattern& joined, const JoinedGarment& hung, cons
   return flat;
 }
 
-// How the boundary of a piece moved: by place on the outline, in the frame of the shape that it shares with others.
+// How the boundary of one panel moved, in its order: places on the outline, in the frame of the shape that it shares with others.
 struct Moved {
-  int piece, edge;
-  double at;
-  Eigen::Vector2d place, by;
+  int piece = 0;
+  std::vector<int> edges;
+  std::vector<double> at;
+  std::vector<Eigen::Vector2d> places, by;
 };
 
 std::vector<std::vector<Moved>> moves_by_shape(const Pattern& pattern, const GarmentMesh& garment, const RestShape& flat,
@@ -64,27 +66,47 @@ std::vector<std::vector<Moved>> moves_by_shape(const Pattern& pattern, const Gar
     const Lay& lay = likeness.lays[static_cast<std::size_t>(panel.piece)];
     const Eigen::Matrix2Xd before = as_drawn(panel, panel.rest),
                            after = as_drawn(panel, laid_on(panel.rest, panel.triangles, flat[p]));
+    Moved moved;
+    moved.piece = panel.piece;
     for (const BoundaryVertex& v : panel.boundary) {
       const Edge& edge = pattern.pieces[static_cast<std::size_t>(panel.piece)].outline[static_cast<std::size_t>(v.edge)];
-      const Eigen::Vector2d at = point_at<2>(positions(edge), v.at);
-      moves[static_cast<std::size_t>(lay.shape)].push_back(
-          {panel.piece, v.edge, v.at, lay.to_shape(at), lay.to_shape.turn * (after.col(v.vertex) - before.col(v.vertex))});
+      moved.edges.push_back(v.edge);
+      moved.at.push_back(v.at);
+      moved.places.push_back(lay.to_shape(point_at<2>(positions(edge), v.at)));
+      moved.by.push_back(lay.to_shape.turn * (after.col(v.vertex) - before.col(v.vertex)));
     }
+    moves[static_cast<std::size_t>(lay.shape)].push_back(std::move(moved));
   }
   return moves;
 }
 
-// The mean over all that lie at that place of the shape.
-Eigen::Vector2d mean_move(const std::vector<Moved>& moves, const Eigen::Vector2d& place, bool mirror) {
+// What the boundary moved by at `place`, between its vertices; absent where it does not pass there.
+std::optional<Eigen::Vector2d> move_at(const Moved& moved, const Eigen::Vector2d& place) {
   constexpr double same = 2e-3;  // m
+  double nearest = same;
+  std::optional<Eigen::Vector2d> by;
+  const std::size_t count = moved.places.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2d &a = moved.places[i], way = moved.places[(i + 1) % count] - a;
+    const double t = std::clamp((place - a).dot(way) / std::max(1e-18, way.squaredNorm()), 0.0, 1.0);
+    const double off = (a + t * way - place).norm();
+    if (off > nearest) continue;
+    nearest = off;
+    by = (1 - t) * moved.by[i] + t * moved.by[(i + 1) % count];
+  }
+  return by;
+}
+
+// The mean over all panels of the shape.
+Eigen::Vector2d mean_move(const std::vector<Moved>& moves, const Eigen::Vector2d& place, bool mirror) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double count = 0;
   for (const Moved& moved : moves)
-    for (const bool turned : {false, true}) {
-      if (turned && !mirror) continue;
-      const double sign = turned ? -1 : 1;
-      if ((Eigen::Vector2d(sign * moved.place.x(), moved.place.y()) - place).norm() > same) continue;
-      sum += Eigen::Vector2d(sign * moved.by.x(), moved.by.y());
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0 && !mirror) continue;
+      const auto by = move_at(moved, {side * place.x(), place.y()});
+      if (!by) continue;
+      sum += Eigen::Vector2d(side * by->x(), by->y());
       ++count;
     }
   return count > 0 ? Eigen::Vector2d(sum / count) : Eigen::Vector2d::Zero();
@@ -133,7 +155,8 @@ Recut drawn_through(const Pattern& pattern, const GarmentMesh& garment, const Re
     const auto count = piece.outline.size();
     std::vector<std::vector<double>> at(count);
     for (const Moved& moved : moves[shape])
-      if (moved.piece == static_cast<int>(p)) at[static_cast<std::size_t>(moved.edge)].push_back(moved.at);
+      for (std::size_t i = 0; moved.piece == static_cast<int>(p) && i < moved.at.size(); ++i)
+        at[static_cast<std::size_t>(moved.edges[i])].push_back(moved.at[i]);
     for (std::size_t e = 0; e < count; ++e) {
       Edge& edge = piece.outline[e];
       const Edge whole = pattern.pieces[p].outline[e];
@@ -156,6 +179,9 @@ Recut drawn_through(const Pattern& pattern, const GarmentMesh& garment, const Re
     }
   }
   result.garment = with_rest(garment, rest_on_outlines(result.pattern, garment, flat));
+  const std::vector<std::vector<double>> places = places_on_outline(garment, flat);
+  for (std::size_t p = 0; p < garment.panels.size(); ++p)
+    for (std::size_t i = 0; i < places[p].size(); ++i) result.garment.panels[p].boundary[i].at = places[p][i];
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const PanelMesh& panel = garment.panels[p];
     if (panel.copy != 1) continue;
