@@ -1,7 +1,9 @@
 #include "body/coherent_limbs.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -78,12 +80,30 @@ bool surrounds(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, 
   return gap < most_gap;
 }
 
-// Thickness of a slice in which every ring holds together.
-double slice_thickness(const Eigen::Matrix3Xd& positions, const std::vector<std::pair<int, int>>& edges) {
+// Thickness of a slice in which every ring holds together; `level` by vertex.
+double slice_thickness(const Eigen::VectorXd& level, const std::vector<std::pair<int, int>>& edges) {
   std::vector<double> rise;
-  for (const auto& [a, b] : edges) rise.push_back(std::abs(positions(1, a) - positions(1, b)));
+  for (const auto& [a, b] : edges) rise.push_back(std::abs(level(a) - level(b)));
   std::sort(rise.begin(), rise.end());
   return std::max(2.2 * rise[rise.size() * 95 / 100], 1e-3);
+}
+
+// The vertices that hang together within slices of `thickness`, where `level` is not negative.
+std::map<int, std::vector<int>> rings_of(const Eigen::VectorXd& level, double thickness,
+                                         const std::vector<std::pair<int, int>>& edges) {
+  const auto slice_of = [&](int v) { return std::floor(level(v) / thickness); };
+  // Edges within a slice make its rings; `components` wants triangles, so an edge is given as a flat one.
+  std::vector<std::pair<int, int>> kept;
+  for (const auto& edge : edges)
+    if (slice_of(edge.first) == slice_of(edge.second)) kept.push_back(edge);
+  Eigen::Matrix3Xi strands(3, static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t e = 0; e < kept.size(); ++e)
+    strands.col(static_cast<Eigen::Index>(e)) << kept[e].first, kept[e].second, kept[e].second;
+  const std::vector<int> part = components(strands, static_cast<int>(level.size()));
+  std::map<int, std::vector<int>> rings;
+  for (int v = 0; v < static_cast<int>(level.size()); ++v)
+    if (level(v) >= 0) rings[part[static_cast<std::size_t>(v)]].push_back(v);
+  return rings;
 }
 
 class Rings {
@@ -138,21 +158,10 @@ class Rings {
 
 void follow_rings(const Rings& rings, const Eigen::Matrix3Xd& positions, const std::vector<std::pair<int, int>>& edges,
                   std::vector<int>& limb) {
-  const double thickness = slice_thickness(positions, edges);
-  const auto slice_of = [&](int v) { return static_cast<int>(std::floor((rings.top() - positions(1, v)) / thickness)); };
-  // Edges within a slice make its rings; `components` wants triangles, so an edge is given as a flat one.
-  std::vector<std::pair<int, int>> kept;
-  for (const auto& edge : edges)
-    if (slice_of(edge.first) == slice_of(edge.second)) kept.push_back(edge);
-  Eigen::Matrix3Xi strands(3, static_cast<Eigen::Index>(kept.size()));
-  for (std::size_t e = 0; e < kept.size(); ++e)
-    strands.col(static_cast<Eigen::Index>(e)) << kept[e].first, kept[e].second, kept[e].second;
-  const std::vector<int> part = components(strands, static_cast<int>(positions.cols()));
-  std::map<int, std::vector<int>> by_part;
-  for (int v = 0; v < static_cast<int>(positions.cols()); ++v)
-    if (positions(1, v) < rings.top()) by_part[part[static_cast<std::size_t>(v)]].push_back(v);
-  for (const auto& [unused, ring] : by_part) {
-    const double y = rings.top() - (slice_of(ring.front()) + .5) * thickness;
+  const Eigen::VectorXd below = (rings.top() - positions.row(1).array()).matrix().transpose();
+  const double thickness = slice_thickness(below, edges);
+  for (const auto& [unused, ring] : rings_of(below, thickness, edges)) {
+    const double y = rings.top() - (std::floor(below(ring.front()) / thickness) + .5) * thickness;
     const int found = rings.surrounded(ring, positions, y);
     if (found < 0) continue;
     // Where a sleeve or a trouser leg joins, the slice holds both: vertices that surround their own limb by themselves keep it.
@@ -164,13 +173,60 @@ void follow_rings(const Rings& rings, const Eigen::Matrix3Xd& positions, const s
   }
 }
 
+// A sleeve is round its arm, square to it: slices at a level miss that where an arm is spread and the sleeve ends.
+void follow_sleeves(const std::vector<LimbAxis>& axes, const Eigen::Matrix3Xd& positions,
+                    const std::vector<std::pair<int, int>>& edges, std::vector<int>& limb) {
+  constexpr double widest = 0.2;  // m from the arm
+  for (std::size_t arm = 0; arm < axes.size(); ++arm) {
+    if (axes[arm].name.rfind("arm.", 0) != 0) continue;
+    const std::vector<Vec>& points = axes[arm].points;
+    const Vec start = points.front(), way = (points[std::min<std::size_t>(2, points.size() - 1)] - start).normalized();
+    const Vec across = way.cross(Vec::UnitZ()).normalized(), forward = across.cross(way);
+    const Eigen::VectorXd along = (way.transpose() * (positions.colwise() - start)).transpose();
+    std::vector<char> sleeve(limb.size(), 0);
+    double begins = std::numeric_limits<double>::infinity();
+    for (const auto& [unused, ring] : rings_of(along, slice_thickness(along, edges), edges)) {
+      Eigen::Matrix3Xd seen(3, static_cast<Eigen::Index>(ring.size()));  // x and z across the arm
+      std::vector<int> all;
+      double far = 0;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        Vec nearest = start;
+        for (std::size_t p = 1; p < points.size(); ++p) {
+          const Vec bone = points[p] - points[p - 1];
+          const double t = std::clamp((positions.col(ring[i]) - points[p - 1]).dot(bone) / bone.squaredNorm(), 0.0, 1.0);
+          const Vec at = points[p - 1] + t * bone;
+          if (p == 1 || (positions.col(ring[i]) - at).norm() < (positions.col(ring[i]) - nearest).norm()) nearest = at;
+        }
+        const Vec off = positions.col(ring[i]) - nearest;
+        seen.col(static_cast<Eigen::Index>(i)) << off.dot(across), 0, off.dot(forward);
+        far = std::max(far, off.norm());
+        all.push_back(static_cast<int>(i));
+      }
+      if (far > widest || !surrounds(all, seen, Vec::Zero(), closed_gap)) continue;
+      for (const int v : ring) {
+        limb[static_cast<std::size_t>(v)] = static_cast<int>(arm);
+        sleeve[static_cast<std::size_t>(v)] = 1;
+        begins = std::min(begins, along(v));
+      }
+    }
+    // What hangs on the sleeve alone: the corners of a cuff that is not square to the arm.
+    Eigen::VectorXd beside = along;
+    for (Eigen::Index v = 0; v < beside.size(); ++v) beside(v) = sleeve[static_cast<std::size_t>(v)] ? -1 : 0;
+    for (const auto& [unused, part] : rings_of(beside, 1, edges))
+      if (std::all_of(part.begin(), part.end(), [&](int v) { return along(v) > begins; }))
+        for (const int v : part) limb[static_cast<std::size_t>(v)] = static_cast<int>(arm);
+  }
+}
+
 }  // namespace
 
 std::vector<int> coherent_limbs(const Mannequin& form, const std::vector<LimbAxis>& axes, const Eigen::MatrixXd& cost,
                                 const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles) {
   const std::vector<std::pair<int, int>> edges = edges_of(triangles);
   std::vector<int> limb = agreed(cost, edges);
-  if (const Rings rings(form, axes); rings.applies() && !edges.empty()) follow_rings(rings, positions, edges, limb);
+  if (edges.empty()) return limb;
+  if (const Rings rings(form, axes); rings.applies()) follow_rings(rings, positions, edges, limb);
+  follow_sleeves(axes, positions, edges, limb);
   return limb;
 }
 

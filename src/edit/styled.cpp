@@ -47,9 +47,10 @@ void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& re
   judge(shape, body, reference, source, gap);
 }
 
-Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve) {
+Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve, double least) {
   Styled best;
-  for (const double pull : {0.02, 0.1, 0.3}) {
+  for (const double pull : {0.02, 0.1, 0.3, 0.6, 0.9}) {
+    if (pull < least || (pull > 0.3 && least == 0)) continue;
     StyleOptions options;
     options.in_plane_pull = pull;
     Styled result = solve(options);

@@ -31,8 +31,8 @@ void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& re
           const Eigen::VectorXd& gap, const HardConstraints& hard);
 
 // What `solve` gives for the weakest pull towards the initial guess with which no triangle turns over and the solve settles;
-// failing that a stronger one with which none turns over, failing that the weakest.
-Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve);
+// failing that a stronger one with which none turns over, failing that the weakest. None is weaker than `least`.
+Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve, double least = 0);
 
 // A source to be given another shape; `gap` as above.
 struct Restyling {

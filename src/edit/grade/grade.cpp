@@ -18,6 +18,10 @@
 namespace toile {
 namespace {
 
+// What is carried over is even already; a weaker pull lets cloth slide in its own surface until triangles are three times as
+// long and others a third.
+constexpr double even_pull = 0.6;
+
 const char* const place_of_edit = "edit 'grade'";
 
 const std::vector<Parameter>& grade_parameters() {
@@ -142,7 +146,7 @@ Target apply_grade(const EditInput& input, const EditArguments& arguments) {
     BodyTerms again = terms;
     const StyleSolution solution = solve_style(start.positions, reference, {}, again.all(), style);
     return styled(*to, again, reference, input.drape, contact.gap, solution.initial, solution);
-  });
+  }, even_pull);
   mend(styled_garment, *to, reference, input.drape, contact.gap, {});
   if (!styled_garment.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -71,17 +72,67 @@ void fill(const VertexNeighbours& neighbours, const std::vector<bool>& known, Ei
     }
 }
 
-// Evens out the displacement where the cloth is off the body: bones and skin below loose cloth change from vertex to vertex.
-void even_out_loose(const VertexNeighbours& neighbours, const std::vector<RelativePlace>& places, Eigen::Matrix3Xd& moved) {
-  for (int round = 0; round < 40; ++round) {
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// No longer known: what moves otherwise than the cloth about it, because its ray met another limb's skin.
+void reject_strays(const VertexNeighbours& neighbours, const Eigen::Matrix3Xd& drape, const Eigen::Matrix3Xd& moved,
+                   std::vector<bool>& known) {
+  constexpr std::size_t rings = 3;
+  constexpr int passes = 2;
+  constexpr double slope = 0.3;    // of the displacement; bodies and sizes change by less
+  constexpr double always = 2e-3;  // m
+  std::vector<int> seen(known.size(), -1);
+  for (int pass = 0; pass < passes; ++pass) {
+    std::vector<bool> kept = known;
+    for (std::size_t v = 0; v < known.size(); ++v) {
+      if (!known[v]) continue;
+      const auto column = static_cast<Eigen::Index>(v);
+      const int mark = static_cast<int>(v) + pass * static_cast<int>(known.size());
+      std::vector<int> around{static_cast<int>(v)};
+      seen[v] = mark;
+      for (std::size_t ring = 0, next = 0; ring < rings; ++ring)
+        for (const std::size_t end = around.size(); next < end; ++next)
+          for (const int w : neighbours[static_cast<std::size_t>(around[next])])
+            if (std::exchange(seen[static_cast<std::size_t>(w)], mark) != mark) around.push_back(w);
+      std::array<std::vector<double>, 3> by;
+      double far = 0;
+      for (const int w : around) {
+        if (w == static_cast<int>(v) || !known[static_cast<std::size_t>(w)]) continue;
+        for (int i = 0; i < 3; ++i) by[static_cast<std::size_t>(i)].push_back(moved(i, w));
+        far += (drape.col(w) - drape.col(column)).norm();
+      }
+      if (by[0].size() < 4) continue;
+      const Eigen::Vector3d usual(median(by[0]), median(by[1]), median(by[2]));
+      far /= static_cast<double>(by[0].size());
+      kept[v] = (moved.col(column) - usual).norm() <= slope * far + always;
+    }
+    known = std::move(kept);
+  }
+}
+
+// Evens out the displacement: bones and skin below the cloth change from vertex to vertex, bodies from a few centimetres to the
+// next. What lies on the body is brought back to it by the fit.
+void even_out(const VertexNeighbours& neighbours, const Eigen::Matrix3Xd& drape, Eigen::Matrix3Xd& moved) {
+  constexpr double radius = 0.06;  // m
+  double length = 0, count = 0;
+  for (std::size_t v = 0; v < neighbours.size(); ++v)
+    for (const int w : neighbours[v]) {
+      length += (drape.col(static_cast<Eigen::Index>(v)) - drape.col(w)).norm();
+      ++count;
+    }
+  const double steps = radius * count / std::max(1e-9, length);
+  for (int round = static_cast<int>(std::lround(steps * steps)); round > 0; --round) {
     Eigen::Matrix3Xd next = moved;
-    for (std::size_t v = 0; v < places.size(); ++v) {
-      const double loose = places[v].through_skin ? smoothstep(places[v].offset, 0.01, 0.05) : 1;
-      if (neighbours[v].empty() || !(loose > 0)) continue;
+    for (std::size_t v = 0; v < neighbours.size(); ++v) {
+      if (neighbours[v].empty()) continue;
       const auto column = static_cast<Eigen::Index>(v);
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
       for (const int w : neighbours[v]) mean += moved.col(w) / static_cast<double>(neighbours[v].size());
-      next.col(column) += 0.5 * loose * (mean - moved.col(column));
+      next.col(column) += 0.5 * (mean - moved.col(column));
     }
     moved = std::move(next);
   }
@@ -143,8 +194,9 @@ Transferred transfer(const EditInput& input, const std::vector<RelativePlace>& p
     moved.col(v) = at - input.drape.col(v);
     known[static_cast<std::size_t>(v)] = true;
   }
+  reject_strays(neighbours, input.drape, moved, known);
   fill(neighbours, known, moved);
-  even_out_loose(neighbours, places, moved);
+  even_out(neighbours, input.drape, moved);
   result.positions = input.drape + moved;
   for (Eigen::Index v = 0; v < count; ++v) {
     const double now = result.axis.col(v).dot(result.positions.col(v));
