@@ -135,6 +135,12 @@ NamedLoops loops_at(const EditInput& input, const Level& level, const std::strin
     found = round_trunk_or_legs(input, all.closed);
   }
   if (!found.empty()) return {found, Eigen::Hyperplane<double, 3>(level.normal, level.at)};
+  if (!level.of_bone) {  // a bodice that ends at the waist ends a little above or below it
+    constexpr double near = 0.05;  // m
+    for (VertexLoop& edge : round_trunk_or_legs(input, boundary_loops(input.garment.triangles)))
+      if (std::abs(loop_centre(input.drape, edge).y() - level.at.y()) < near) found.push_back(std::move(edge));
+    if (!found.empty()) return {found, {}};
+  }
   if (all.open > 0)
     throw BadInput({"edit.open-chain", Severity::error, place, "the garment is open at '" + name + "'",
                     "sew the opening in the pattern, or choose a loop where the garment closes round the body"});

@@ -26,7 +26,8 @@ struct NamedLoops {
 //   (worn_loops.h);
 // - "side", "gore.hem", "gore:3.hem", "front.e2,back.e0": edges of the pattern that close through their seams; edges with the
 //   name of a landmark that do not close mean the landmark;
-// - "hip": a landmark of the body: the loop of mesh edges nearest to that height, round trunk or legs;
+// - "hip": a landmark of the body: the loop of mesh edges nearest to that height, round trunk or legs; where the garment ends
+//   before it, its free edge within 5 cm;
 // - "spine_low:0.4": that share of a bone: level there for upright bones, across the bone for others.
 // `place` is for messages ("edit 'length', loop"); `side` is of the plane of a level. Throws BadInput: edit.unknown-loop
 // listing the names there are, edit.open-chain, edit.no-loop-there when the garment has no closed loop at a level that exists.

@@ -10,6 +10,7 @@
 #include "edit/mix/join_style.h"
 #include "edit/mix/joined.h"
 #include "edit/mix/mix_loops.h"
+#include "edit/mix/parting.h"
 #include "edit/mix/recut.h"
 #include "edit/mix/uniting.h"
 #include "garment/units.h"
@@ -89,6 +90,14 @@ MixLoops loops_named(const EditInput& first, const EditInput& second, const Read
   return mix_loops_in(first, second, read.names.at("region"));
 }
 
+void refuse_slivers(const EditInput& input, const std::string& garment, const std::vector<CutLoop>& loops) {
+  for (const CutLoop& loop : loops)
+    if (const auto panel = sliver(input, loop, place_of_edit))
+      throw BadInput({"edit.sliver", Severity::error, place_of_edit,
+                      "the cut touches a seam of '" + garment + "' and would leave a sliver of panel '" + *panel + "'",
+                      "name that seam as the loop, or move the loop or the ends of the region 3 cm away from it"});
+}
+
 void describe(Report& report, const EditInput& input, const WornGarment& other, const Pattern& pattern, const MixedShape& shape,
               double mismatch) {
   report.note("edit.moved", place_of_edit,
@@ -112,6 +121,8 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
   const EditInput second{other->pattern, other->garment, other->drape, input.body};
   check_source(second, "mix");
   const MixLoops loops = loops_named(input, second, read);
+  refuse_slivers(input, input.pattern.name, loops.first);
+  refuse_slivers(second, other->pattern.name, loops.second);
   const MixSide a{input,
                   take_part(input, part_garment(input, loops.first, "edit 'mix', loop"), keep_beyond, "edit 'mix', keep")};
   const MixSide b{second, take_part(second, part_garment(second, loops.second, "edit 'mix', other_loop"), !keep_beyond,

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -180,9 +181,21 @@ MixLoops mix_loops_in(const EditInput& first, const EditInput& second, const std
     if (end == to.end() || from.size() != to.size())
       throw BadInput({"edit.bad-region", Severity::error, place, "the two ends of the region are not round the same limbs",
                       "name two loops or levels round the same limbs"});
-    const RegionCut cut = cut_in_region(first, second, begin, *end, place);
-    loops.first.push_back(line_at(first, axes, cut.curve, place));
-    loops.second.push_back(line_at(second, axes, cut.curve, place));
+    RegionCut cut = cut_in_region(first, second, begin, *end, place);
+    CutLoop own = line_at(first, axes, cut.curve, place), other = line_at(second, axes, cut.curve, place);
+    // A cut that touches a seam at the region's end is sought farther inside.
+    for (const double inset : {beside_seam, 2 * beside_seam}) {
+      if (!sliver(first, own, place) && !sliver(second, other, place)) break;
+      LimbCurve from_inside = begin, to_inside = *end;
+      for (double& along : from_inside.along) along += inset;
+      for (double& along : to_inside.along) along -= inset;
+      if (!std::equal(from_inside.along.begin(), from_inside.along.end(), to_inside.along.begin(), std::less<>())) break;
+      cut = cut_in_region(first, second, from_inside, to_inside, place);
+      own = line_at(first, axes, cut.curve, place);
+      other = line_at(second, axes, cut.curve, place);
+    }
+    loops.first.push_back(std::move(own));
+    loops.second.push_back(std::move(other));
     const auto points = points_of(loops.first.back(), first.drape);
     double height = 0;
     for (const Eigen::Vector3d& point : points) height += point.y() / static_cast<double>(points.size());

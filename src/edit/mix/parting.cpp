@@ -189,7 +189,57 @@ std::optional<VertexLoop> seam_beside(const EditInput& input, const std::vector<
   return std::nullopt;
 }
 
+// The seam that a line runs along and crosses, never further from it than `near` (m): a line there would leave slivers of pieces
+// on both sides.
+std::optional<VertexLoop> seam_crossed(const EditInput& input, const CutLine& line, const std::vector<PanelChord>& chords,
+                                       double near, const std::string& place) {
+  std::vector<Eigen::Vector3d> points = points_of(line, input.drape);
+  points.push_back(points.front());
+  std::vector<PanelEdge> edges;
+  bool crosses = false;
+  for (int p = 0; p < static_cast<int>(input.garment.panels.size()); ++p) {
+    const int piece = input.garment.panels[static_cast<std::size_t>(p)].piece;
+    for (int e = 0; e < static_cast<int>(input.pattern.pieces[static_cast<std::size_t>(piece)].outline.size()); ++e) {
+      const std::vector<int> along = vertices_along(input.pattern, input.garment, {p, e});
+      if (std::any_of(along.begin(), along.end(),
+                      [&](int v) { return nearest_on<3>(points, input.drape.col(v)).distance > near; }))
+        continue;
+      edges.push_back({p, e});
+      crosses = crosses || std::any_of(chords.begin(), chords.end(), [&](const PanelChord& c) {
+                  return c.panel == p && (c.chord.from.edge == e || c.chord.to.edge == e);
+                });
+    }
+  }
+  if (!crosses) return std::nullopt;
+  try {
+    const auto loops = closed_chains(input.pattern, input.garment, input.drape, edges, place, "line");
+    if (loops.size() != 1) return std::nullopt;
+    std::vector<Eigen::Vector3d> seam = points_of(loops.front(), input.drape);
+    seam.push_back(seam.front());
+    if (std::all_of(points.begin(), points.end(),
+                    [&](const Eigen::Vector3d& at) { return nearest_on<3>(seam, at).distance <= near; }))
+      return loops.front();
+  } catch (const BadInput&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::string> sliver(const EditInput& input, const CutLoop& loop, const std::string& place) {
+  constexpr double least = 4e-4;  // m^2
+  if (loop.line.empty()) return std::nullopt;
+  for (const auto& [panel, chord] : chords_of(input.garment, BoundaryPlaces(input.garment), loop.line, 0, place)) {
+    if (chord.from.edge != chord.to.edge) continue;
+    double twice = 0;
+    for (std::size_t i = 0; i < chord.points.size(); ++i) {
+      const Eigen::Vector2d &a = chord.points[i], &b = chord.points[(i + 1) % chord.points.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    if (std::abs(twice) / 2 < least) return input.garment.panels[static_cast<std::size_t>(panel)].name;
+  }
+  return std::nullopt;
+}
 
 std::vector<CutLoop> moved_to_seams(const EditInput& input, const std::vector<CutLoop>& loops, double near,
                                     const std::string& place) {
@@ -203,6 +253,8 @@ std::vector<CutLoop> moved_to_seams(const EditInput& input, const std::vector<Cu
         moved[i] = {*seam, {}};
         break;
       }
+    if (!moved[i].seam.empty()) continue;
+    if (const auto seam = seam_crossed(input, moved[i].line, chords, 3 * near, place)) moved[i] = {*seam, {}};
   }
   return moved;
 }

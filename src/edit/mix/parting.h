@@ -1,6 +1,8 @@
 #pragma once
 // What a garment falls into when it is parted along loops: panels on either side, and panels cut in two.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "body/relative.h"
@@ -39,5 +41,8 @@ Parting part_garment(const EditInput& input, const std::vector<CutLoop>& loops, 
 // Lines that run within `near` (m) of seams or free edges all the way round are moved there.
 std::vector<CutLoop> moved_to_seams(const EditInput& input, const std::vector<CutLoop>& loops, double near,
                                     const std::string& place);
+
+// The panel from whose one edge a line cuts off less than 4 cm^2, if there is one: the line touches a seam there.
+std::optional<std::string> sliver(const EditInput& input, const CutLoop& loop, const std::string& place);
 
 }  // namespace toile
