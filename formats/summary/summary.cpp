@@ -57,6 +57,7 @@ Json step(const AdjustStep& from, double height, const std::string& path) {
   Json to = Json::object();
   put_distance(to, {from.hausdorff, from.mean, from.stretch}, height, path);
   put(to, "worst_stretch", from.worst_stretch, path);
+  put(to, "printed_stretch", from.printed_stretch, path);
   put(to, "seam_mismatch_mm", from.seam_mismatch * mm_per_m, path);
   put(to, "contracting", from.contracting, path);
   put(to, "embedding_distortion", from.embedding_distortion, path);

@@ -30,19 +30,23 @@ AdjustStep measure(const Target& target, const RestShape& rest, const Drape& dra
   const Eigen::Matrix3Xi& triangles = target.garment.triangles;
   step.worst_stretch = 1;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const auto shape = [&](const Eigen::Matrix3Xd& at) {
-      return triangle_shape(Eigen::Vector3d(at.col(triangles(0, t))), at.col(triangles(1, t)), at.col(triangles(2, t)));
+    const auto shape = [&](const Eigen::Matrix3Xd& at, int first) {
+      return triangle_shape(Eigen::Vector3d(at.col(triangles(first, t))), at.col(triangles((first + 1) % 3, t)),
+                            at.col(triangles((first + 2) % 3, t)));
     };
-    const Eigen::Matrix2d draped = shape(drape.positions), goal = shape(target.positions);
+    const Eigen::Matrix2d draped = shape(drape.positions, 0), goal = shape(target.positions, 0);
     const Eigen::Vector2d values = stretch_values(draped, goal);
     const double agreement =
         values.allFinite() ? stretch_agreement(draped, goal) : 0;  // a triangle without area agrees with none
     step.stretch += agreement;
+    for (int first = 0; first < 3 && values.allFinite(); ++first)
+      step.printed_stretch += printed_agreement(shape(drape.positions, first), shape(target.positions, first)) / 3;
     step.worst_stretch = std::min(step.worst_stretch, agreement);
     step.contracting += values(0) <= 1 + 1e-12;
   }
   if (triangles.cols() > 0) {
     step.stretch /= static_cast<double>(triangles.cols());
+    step.printed_stretch /= static_cast<double>(triangles.cols());
     step.contracting /= static_cast<double>(triangles.cols());
   }
   const SurfaceDistance distance = surface_distance({drape.positions, triangles}, {target.positions, triangles});

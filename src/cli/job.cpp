@@ -75,7 +75,7 @@ FindBody body_finder(const Job& job, const InputFiles& files) {
 }
 
 // Patterns beside the recipe, worn as the recipe's own. Each is worn once on each body.
-FindGarment garment_finder(const Job& job) {
+FindGarment garment_finder(Job& job) {
   struct Made {
     std::string file, body;
     std::shared_ptr<const WornGarment> garment;
@@ -92,7 +92,9 @@ FindGarment garment_finder(const Job& job) {
                       "Write a seams file beside it: " + path.stem().string() + ".seams.toml"});
     const auto& [simulator, edge_length, tolerance] = job.recipe.drape;
     Scene scene{body, job.scene.fabric, job.scene.simulator, job.scene.hem};
+    const auto began = std::chrono::steady_clock::now();
     Worn worn = wear(pattern, scene, edge_length, tolerance);
+    job.dressing_others += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     for (Finding& finding : worn.report.findings) finding.place = file + ", " + finding.place;
     made->push_back({file, body.form.name, std::make_shared<const WornGarment>(as_worn(std::move(worn), edge_length))});
     return made->back().garment;

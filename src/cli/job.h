@@ -45,6 +45,7 @@ struct Job {
   std::vector<GirthRow> girths;   // of the drape that came out: the verifying one in a run
   std::vector<Finding> findings;  // of all stages, in order
   double seconds = 0;             // of the whole run
+  double dressing_others = 0;     // s, of the garments that edits take parts from
 };
 
 // Reads what the recipe names. Throws BadInput.

@@ -12,6 +12,7 @@ namespace toile {
 struct AdjustStep {
   double stretch = 0;           // mean of S, Eq. 8 with singular values
   double worst_stretch = 0;     // its smallest value
+  double printed_stretch = 0;   // mean of S with eigenvalues, as Eq. 8 is printed; the mean of a triangle's three corners
   double mean = 0;              // mean surface distance to the target, m
   double hausdorff = 0;         // symmetric surface distance to the target, m
   double seam_mismatch = 0;     // m, worst departure of a mating pair of edges from its intended length ratio

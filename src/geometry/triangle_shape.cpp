@@ -37,4 +37,8 @@ double stretch_agreement(const Eigen::Matrix2d& draped, const Eigen::Matrix2d& g
   return 1 - std::hypot(values(0) - 1, values(1) - 1);
 }
 
+double printed_agreement(const Eigen::Matrix2d& draped, const Eigen::Matrix2d& goal) {
+  return 1 - std::hypot(goal(0, 0) / draped(0, 0) - 1, goal(1, 1) / draped(1, 1) - 1);
+}
+
 }  // namespace toile

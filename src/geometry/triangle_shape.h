@@ -18,5 +18,7 @@ Eigen::Vector2d stretch_values(const Eigen::Matrix2d& draped, const Eigen::Matri
 
 // S of Eq. 8. With singular values: the eigenvalues the paper prints depend on which corner starts the triangle.
 double stretch_agreement(const Eigen::Matrix2d& draped, const Eigen::Matrix2d& goal);
+// S of Eq. 8 as it is printed, from triangle_shape's matrices: their eigenvalues, which shear does not change.
+double printed_agreement(const Eigen::Matrix2d& draped, const Eigen::Matrix2d& goal);
 
 }  // namespace toile
