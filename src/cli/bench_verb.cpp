@@ -21,7 +21,7 @@ namespace toile {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double worth_sharing = .05;  // of the flattening's error: where less was taken off, nothing is said of its steps
+constexpr double worth_sharing = .1;   // of the flattening's error: where less was taken off, nothing is said of its steps
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 

@@ -8,6 +8,12 @@
 namespace toile {
 namespace {
 
+constexpr double most_uneven = 2;  // times as long, or as short
+
+double unevenness(const NormalDeviation& deviation) {
+  return std::max(deviation.most_stretch, 1 / std::max(1e-3, deviation.least_stretch));
+}
+
 // Where to go on from: a solution and the terms it ended with.
 struct Followed {
   StyleReference style;
@@ -24,6 +30,8 @@ void judge(Styled& shape, const Body& body, const std::vector<SourceTriangle>& r
 }
 
 }  // namespace
+
+bool is_even(const NormalDeviation& deviation) { return deviation.flipped.empty() && unevenness(deviation) < most_uneven; }
 
 Styled styled(const Body& body, const BodyTerms& terms, const std::vector<SourceTriangle>& reference,
               const Eigen::Matrix3Xd& source, const Eigen::VectorXd& gap, const Eigen::Matrix3Xd& initial,
@@ -47,16 +55,20 @@ void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& re
   judge(shape, body, reference, source, gap);
 }
 
+bool is_better(const NormalDeviation& one, const NormalDeviation& other) {
+  if (one.flipped.empty() != other.flipped.empty()) return one.flipped.empty();
+  return unevenness(one) < unevenness(other);
+}
+
 Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve, double least) {
   Styled best;
-  for (const double pull : {0.02, 0.1, 0.3, 0.6, 0.9}) {
-    if (pull < least || (pull > 0.3 && least == 0)) continue;
+  for (const double pull : pulls) {
+    if (pull < least) continue;
     StyleOptions options;
     options.in_plane_pull = pull;
     Styled result = solve(options);
-    const bool whole = result.deviation.flipped.empty();
-    const bool enough = whole && (result.settled || pull >= 0.1);
-    if (whole || best.positions.size() == 0) best = std::move(result);
+    const bool enough = is_even(result.deviation) && (result.settled || pull >= 0.1);
+    if (best.positions.size() == 0 || enough || is_better(result.deviation, best.deviation)) best = std::move(result);
     if (enough) break;
   }
   return best;

@@ -1,6 +1,7 @@
 #pragma once
 // A shape the style energy was solved for, judged against its source.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,8 +31,16 @@ Styled styled(const Body& body, const BodyTerms& terms, const std::vector<Source
 void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& reference, const Eigen::Matrix3Xd& source,
           const Eigen::VectorXd& gap, const HardConstraints& hard);
 
-// What `solve` gives for the weakest pull towards the initial guess with which no triangle turns over and the solve settles;
-// failing that a stronger one with which none turns over, failing that the weakest. None is weaker than `least`.
+// Strengths of the pull towards the initial guess that are tried in turn.
+constexpr std::array<double, 4> pulls{0.02, 0.1, 0.3, 0.6};
+
+// No triangle turned over, and none more than twice as long or half as long as it was.
+bool is_even(const NormalDeviation& deviation);
+// Fewer triangles turned over, or none in either and stretched more evenly.
+bool is_better(const NormalDeviation& one, const NormalDeviation& other);
+
+// What `solve` gives for the weakest pull towards the initial guess, not below `least`, with which the result is even and the
+// solve settles; failing that the best.
 Styled with_weakest_pull(const std::function<Styled(const StyleOptions&)>& solve, double least = 0);
 
 // A source to be given another shape; `gap` as above.

@@ -181,7 +181,9 @@ Image panels_overlay(const std::vector<PanelOutlines>& panels, const std::string
   while (rows.height > 0.75 * width) rows = arrange(boxes, scale *= 0.97, width);
 
   const double top = 100, foot = 56;
-  const int used = std::clamp(static_cast<int>(rows.width), std::min(width, 640), width);
+  constexpr double of_a_letter = 12;  // px, of the title
+  const double needed = std::max(rows.width, 2 * gap + of_a_letter * static_cast<double>(title.size()));
+  const int used = std::clamp(static_cast<int>(needed), std::min(width, 640), width);
   Canvas canvas(blank_image(used, static_cast<int>(top + rows.height + gap + foot)));
   canvas.words(title, {gap, 36}, 20, {.1, .1, .1}, Align::left, true);
   draw_legend(canvas, gap, 68, panels);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -206,6 +207,28 @@ TEST(RelativePlaces, KeepASleeveWholeWhereItJoinsTheBodice) {
   for (int v = 0; v < static_cast<int>(places.size()); ++v)
     elsewhere += name_of(places[static_cast<std::size_t>(v)].limb) != (v < count ? "trunk" : "arm.L");
   EXPECT_LE(elsewhere, static_cast<int>(places.size()) / 50);
+}
+
+TEST(RelativePlaces, KeepAShortWideSleeveWhoseHemIsNotSquareToTheArm) {
+  // Its lowest corner is cut by levels that the rest of it does not reach round the arm, as the bodice is.
+  const Vec shoulder(.16, 1.35, 0), wrist(.50, 1.01, 0), way = (wrist - shoulder).normalized();
+  const auto bodice = test::tube({0, 1.27, 0}, {0, .9, 0}, .16, .17);
+  auto sleeve = test::tube(shoulder + .15 * (wrist - shoulder), shoulder + .5 * (wrist - shoulder), .06, .13);
+  for (Eigen::Index v = 0; v < sleeve.positions.cols(); ++v) {
+    const double along = std::clamp((sleeve.positions.col(v) - shoulder).dot(way) / .24 - .3, 0.0, 1.0);
+    sleeve.positions.col(v) -= along * .6 * sleeve.positions(2, v) * way;
+  }
+  auto garment = test::both(bodice, sleeve);
+  const auto count = static_cast<int>(bodice.positions.cols());
+  for (int b = 0; b < count; ++b)
+    for (int s = count; s + 1 < static_cast<int>(garment.positions.cols()); s += 7)
+      if ((garment.positions.col(b) - garment.positions.col(s)).norm() < .03) {
+        garment.triangles.conservativeResize(3, garment.triangles.cols() + 1);
+        garment.triangles.rightCols(1) << b, s, s + 1;
+      }
+  const auto places = relative_places(body(), garment.positions, garment.triangles);
+  for (std::size_t v = static_cast<std::size_t>(count); v < places.size(); ++v)
+    EXPECT_EQ(name_of(places[v].limb), "arm.L") << garment.positions.col(static_cast<Eigen::Index>(v)).transpose();
 }
 
 TEST(RelativePlaces, NeedNoTriangles) {

@@ -92,6 +92,21 @@ TEST(Contact, ForceAndStiffnessAreDerivativesOfTheEnergy) {
   }
 }
 
+TEST(Contact, ComesCloserOnAReplicaButForTheClothsThickness) {
+  Body body;
+  Fabric thin, thick;
+  thin.thickness = .15e-3;
+  thick.thickness = .7e-3;
+  body.form.height = 1.75;
+  EXPECT_EQ(contact_law(thin, body).reach, ContactLaw{}.reach);
+  EXPECT_EQ(contact_law(thin, body).slip, ContactLaw{}.slip);
+  body.form.height = .32;
+  EXPECT_NEAR(contact_law(thin, body).reach, .2e-3, 1e-12);
+  EXPECT_NEAR(contact_law(thin, body).slip, .04e-3, 1e-12);
+  EXPECT_NEAR(contact_law(thick, body).reach, .35e-3, 1e-12);
+  EXPECT_EQ(replica_reach(1.5e-3, 4e-3, body), 1.5e-3);  // cloth that is thicker than the reach is no nearer on any body
+}
+
 TEST(Friction, HoldsBelowTheConeAndNeverExceedsIt) {
   const ContactLaw law{.friction = .5};
   FrictionState state{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 2.0};

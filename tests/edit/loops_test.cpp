@@ -145,6 +145,18 @@ TEST(Loops, RefuseLevelsTheGarmentDoesNotReach) {
   EXPECT_EQ(named().finding("").code, "edit.unknown-loop");
 }
 
+TEST(Loops, OfALandmarkJustPastTheGarmentAreItsEdge) {
+  const Scene& scene = named();
+  Mannequin form = scene.skirt.form;
+  const double hem = scene.skirt.drape.row(1).minCoeff();
+  form.landmarks["below_hem"] = hem - .03;
+  form.landmarks["far_below"] = hem - .08;
+  const Body body = make_body(form);
+  const EditInput input{scene.skirt.pattern, scene.skirt.garment, scene.skirt.drape, body};
+  EXPECT_EQ(resolve_loops(input, "below_hem", "here").loops, scene.loops("hem").loops);
+  EXPECT_THROW(resolve_loops(input, "far_below", "here"), BadInput);
+}
+
 TEST(Loops, OfTrousersAreBothHems) {
   const Scene& scene = named();
   // Two tubes round the legs, joined to nothing.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include "draft/redraw.h"
 #include "edit/worn_tube.h"
 #include "geometry/surface_distance.h"
 
@@ -40,6 +41,16 @@ TEST(Mix, CoaxialCylindersOfOneRadiusMakeOneCylinder) {
   double area = 0;
   for (const Piece& piece : target.pattern->pieces) area += copies(piece) * signed_area(piece);
   EXPECT_NEAR(area, 2 * pi * 0.30 * 0.80, 2e-3);
+}
+
+// The joint is longer on one side, so that pieces are redrawn and their cloth is stretched unevenly along the edges.
+TEST(Mix, PiecesDrawnAnewKnowWhereTheirBoundaryLies) {
+  const Target target = mixed({.radius = 0.30, .panels = 4}, {.radius = 0.32, .panels = 4}, {{"loop", "hip"}});
+  const RestShape rest = rest_shape(target.garment), laid = rest_on_outlines(*target.pattern, target.garment, rest);
+  for (std::size_t p = 0; p < rest.size(); ++p) EXPECT_LT((rest[p] - laid[p]).cwiseAbs().maxCoeff(), 1e-7) << p;
+  const Redrawn again = redraw(*target.pattern, target.garment, rest);
+  EXPECT_LT(again.max_deviation, 1e-5);
+  EXPECT_LT(again.seam_mismatch, 1e-5);
 }
 
 TEST(Mix, KeepsNotchesGrainAndSeamsOfBothParts) {

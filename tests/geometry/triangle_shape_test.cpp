@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace toile {
 namespace {
@@ -30,6 +31,16 @@ TEST(StretchAgreement, DoesNotDependOnTheFirstCorner) {
   };
   EXPECT_NEAR(agreement(a, b, c), agreement(b, c, a), 1e-12);
   EXPECT_NEAR(agreement(a, b, c), agreement(c, a, b), 1e-12);
+}
+
+TEST(PrintedAgreement, SeesTheEdgeAndTheHeightAndNoShear) {
+  Eigen::Matrix2d draped, goal;
+  draped << 1, .3, 0, .8;
+  goal << 1.1, .5, 0, .72;
+  EXPECT_NEAR(printed_agreement(draped, goal), 1 - std::hypot(.1, .1), 1e-15);
+  goal << 1, .6, 0, .8;
+  EXPECT_EQ(printed_agreement(draped, goal), 1);
+  EXPECT_LT(stretch_agreement(draped, goal), .8);
 }
 
 TEST(NextRest, UndoesAFixedStretchInOneStep) {

@@ -8,6 +8,7 @@
 
 #include "edit/body_terms.h"
 #include "edit/length/on_cloth.h"
+#include "edit/styled.h"
 
 namespace toile {
 namespace {
@@ -141,11 +142,11 @@ Slide slide_and_freeze(const EditInput& input, const std::vector<Handle>& handle
   Slide best;
   for (bool again = true; again; on_cloth.reset()) {
     again = on_cloth.has_value();
-    for (const double in_plane_pull : {0.02, 0.1, 0.3}) {
+    for (const double in_plane_pull : pulls) {
       Slide slide = slide_once(input, handles, options, in_plane_pull, on_cloth, memory);
-      const bool better = slide.deviation.flipped.empty();
-      const bool enough = better && (slide.settled || in_plane_pull >= 0.1);
-      if (better || best.positions.size() == 0) best = std::move(slide);
+      const bool whole = slide.deviation.flipped.empty();
+      const bool enough = (on_cloth ? whole : is_even(slide.deviation)) && (slide.settled || in_plane_pull >= 0.1);
+      if (best.positions.size() == 0 || enough || is_better(slide.deviation, best.deviation)) best = std::move(slide);
       if (enough) return best;
     }
   }
