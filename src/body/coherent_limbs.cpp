@@ -80,10 +80,12 @@ bool surrounds(const std::vector<int>& ring, const Eigen::Matrix3Xd& positions, 
   return gap < most_gap;
 }
 
-// Thickness of a slice in which every ring holds together; `level` by vertex.
+// Thickness of a slice in which every ring holds together; `level` by vertex, those below 0 do not count.
 double slice_thickness(const Eigen::VectorXd& level, const std::vector<std::pair<int, int>>& edges) {
   std::vector<double> rise;
-  for (const auto& [a, b] : edges) rise.push_back(std::abs(level(a) - level(b)));
+  for (const auto& [a, b] : edges)
+    if (level(a) >= 0 && level(b) >= 0) rise.push_back(std::abs(level(a) - level(b)));
+  if (rise.empty()) return 1e-3;
   std::sort(rise.begin(), rise.end());
   return std::max(2.2 * rise[rise.size() * 95 / 100], 1e-3);
 }

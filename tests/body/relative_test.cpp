@@ -213,7 +213,7 @@ TEST(RelativePlaces, KeepAShortWideSleeveWhoseHemIsNotSquareToTheArm) {
   // Its lowest corner is cut by levels that the rest of it does not reach round the arm, as the bodice is.
   const Vec shoulder(.16, 1.35, 0), wrist(.50, 1.01, 0), way = (wrist - shoulder).normalized();
   const auto bodice = test::tube({0, 1.27, 0}, {0, .9, 0}, .16, .17);
-  auto sleeve = test::tube(shoulder + .15 * (wrist - shoulder), shoulder + .5 * (wrist - shoulder), .06, .13);
+  auto sleeve = test::tube(shoulder + .15 * (wrist - shoulder), shoulder + .5 * (wrist - shoulder), .06, .10);
   for (Eigen::Index v = 0; v < sleeve.positions.cols(); ++v) {
     const double along = std::clamp((sleeve.positions.col(v) - shoulder).dot(way) / .24 - .3, 0.0, 1.0);
     sleeve.positions.col(v) -= along * .6 * sleeve.positions(2, v) * way;

@@ -49,7 +49,7 @@ TEST(Mix, PiecesDrawnAnewKnowWhereTheirBoundaryLies) {
   const RestShape rest = rest_shape(target.garment), laid = rest_on_outlines(*target.pattern, target.garment, rest);
   for (std::size_t p = 0; p < rest.size(); ++p) EXPECT_LT((rest[p] - laid[p]).cwiseAbs().maxCoeff(), 1e-7) << p;
   const Redrawn again = redraw(*target.pattern, target.garment, rest);
-  EXPECT_LT(again.max_deviation, 1e-5);
+  EXPECT_LT(again.max_deviation, 1e-4);
   EXPECT_LT(again.seam_mismatch, 1e-5);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 
 #include "style/normal_deviation.h"
 #include "style/synthetic_skirt.h"
@@ -30,7 +31,9 @@ TEST(MendTurned, LaysTheClothRoundTurnedTrianglesAnew) {
   EXPECT_EQ(torn.turned(mended), 0u);
   EXPECT_LT((mended.col(pulled) - torn.skirt.drape.col(pulled)).norm(), 2e-3);
   for (Eigen::Index v = 0; v < mended.cols(); ++v)
-    if (std::abs(v / columns - row) > 9) EXPECT_EQ(mended.col(v), torn.x.col(v)) << v;
+    if (std::abs(v / columns - row) > 9) {
+      EXPECT_EQ(mended.col(v), torn.x.col(v)) << v;
+    }
 }
 
 TEST(MendTurned, LeavesWhatIsHeldAndWhatIsWhole) {
