@@ -21,7 +21,7 @@ namespace toile {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double worth_sharing = .1;   // of the flattening's error: where less was taken off, nothing is said of its steps
+constexpr double worth_sharing = .1;  // of the flattening's error: where less was taken off, nothing is said of its steps
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -136,11 +136,12 @@ std::string for_people(const std::vector<Measured>& rows) {
     std::snprintf(line, sizeof line, "%-19s %9d %5.3f - %5.3f %6.1f - %6.1f  %s\n", "  paper", p.triangles, p.flattened_stretch,
                   p.stretch, p.flattened_hausdorff, p.hausdorff, m.hausdorff <= p.hausdorff ? "" : "NOT REACHED");
     text += line;
-    std::snprintf(line, sizeof line,
-                  "%-19s S as the paper prints it %.3f; girth %.2f %%, openings %.1f mm; dressed %.1f s, edit %.1f, adjust %.1f, "
-                  "verify %.1f%s\n",
-                  "", m.printed_stretch, 100 * m.girth, m.level * mm_per_m, m.dress_seconds, m.edit_seconds, m.adjust_seconds, m.verify_seconds,
-                  m.folds_only && m.hausdorff > 0.3 ? "; only the folds fall otherwise" : "");
+    std::snprintf(
+        line, sizeof line,
+        "%-19s S as the paper prints it %.3f; girth %.2f %%, openings %.1f mm; dressed %.1f s, edit %.1f, adjust %.1f, "
+        "verify %.1f%s\n",
+        "", m.printed_stretch, 100 * m.girth, m.level * mm_per_m, m.dress_seconds, m.edit_seconds, m.adjust_seconds,
+        m.verify_seconds, m.folds_only && m.hausdorff > 0.3 ? "; only the folds fall otherwise" : "");
     text += line;
   }
   return text;

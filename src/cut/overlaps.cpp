@@ -115,6 +115,19 @@ Line flagged(const Polygon& outline, const Line& raw) {
     line.back().at = at;
   }
   while (line.size() > 1 && (line.back().at - line.front().at).norm() <= same_place) line.pop_back();
+  // A slit that nobody could cut: the strips of two segments that turn by a rounding error part there.
+  constexpr double hairline = 2e-6;  // m
+  for (std::size_t i = 0; i < line.size() && line.size() > 4;) {
+    const std::size_t next = (i + 1) % line.size(), after = (i + 2) % line.size();
+    if ((line[i].at - line[after].at).norm() > hairline) {
+      ++i;
+      continue;
+    }
+    line[i].turn = false;
+    line.erase(line.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
+    line.erase(line.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
+    i = 0;
+  }
   for (std::size_t i = 0; i < line.size() && line.size() > 3;) {
     const Vector2d& before = line[(i + line.size() - 1) % line.size()].at;
     const Vector2d& after = line[(i + 1) % line.size()].at;

@@ -121,8 +121,8 @@ Eigen::VectorXd slope_of(const PatternModel& model, const Truing& seam) {
   return slope;
 }
 
-// Seams of pieces that are alike say the same of the shapes they share, but for how alike they are: one with the mean ratio. Both
-// exactly could only be met by edges without length, as could a seam of two sides that the shape makes equal itself.
+// Seams of pieces that are alike say the same of the shapes they share, but for how alike they are: one with the mean ratio.
+// Both exactly could only be met by edges without length, as could a seam of two sides that the shape makes equal itself.
 std::vector<Truing> distinct(const std::vector<Truing>& seams, const PatternModel& model) {
   constexpr double same = 1e-6, settled = 1e-3;
   struct Group {
@@ -132,7 +132,8 @@ std::vector<Truing> distinct(const std::vector<Truing>& seams, const PatternMode
   };
   std::vector<Group> groups;
   for (const Truing& seam : seams) {
-    const Eigen::VectorXd slope = slope_of(model, seam), own = slope_of(model, {seam.piece_a, seam.edge_a, seam.piece_a, seam.edge_a, 0});
+    const Eigen::VectorXd slope = slope_of(model, seam),
+                          own = slope_of(model, {seam.piece_a, seam.edge_a, seam.piece_a, seam.edge_a, 0});
     if (slope.norm() < settled * own.norm()) continue;
     const auto met = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
       return std::abs(group.slope.dot(slope)) > (1 - same) * group.slope.norm() * slope.norm();

@@ -135,7 +135,7 @@ NamedLoops loops_at(const EditInput& input, const Level& level, const std::strin
     found = round_trunk_or_legs(input, all.closed);
   }
   if (!found.empty()) return {found, Eigen::Hyperplane<double, 3>(level.normal, level.at)};
-  if (!level.of_bone) {  // a bodice that ends at the waist ends a little above or below it
+  if (!level.of_bone) {            // a bodice that ends at the waist ends a little above or below it
     constexpr double near = 0.05;  // m
     for (VertexLoop& edge : round_trunk_or_legs(input, boundary_loops(input.garment.triangles)))
       if (std::abs(loop_centre(input.drape, edge).y() - level.at.y()) < near) found.push_back(std::move(edge));

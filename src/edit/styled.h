@@ -26,8 +26,8 @@ Styled styled(const Body& body, const BodyTerms& terms, const std::vector<Source
               const Eigen::Matrix3Xd& source, const Eigen::VectorXd& gap, const Eigen::Matrix3Xd& initial,
               const StyleSolution& solution);
 
-// Triangles of `shape` that are turned over laid anew where that can be done by moving what lies about them; vertices that `hard`
-// names stay.
+// Triangles of `shape` that are turned over laid anew where that can be done by moving what lies about them; vertices that
+// `hard` names stay.
 void mend(Styled& shape, const Body& body, const std::vector<SourceTriangle>& reference, const Eigen::Matrix3Xd& source,
           const Eigen::VectorXd& gap, const HardConstraints& hard);
 

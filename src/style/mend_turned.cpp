@@ -24,20 +24,22 @@ std::vector<bool> round(const std::vector<SourceTriangle>& triangles, Eigen::Ind
   for (int ring = 0; ring < count; ++ring) {
     const std::vector<bool> before = near;
     for (const SourceTriangle& triangle : triangles)
-      if (std::any_of(triangle.corners.begin(), triangle.corners.end(), [&](int v) { return before[static_cast<std::size_t>(v)]; }))
+      if (std::any_of(triangle.corners.begin(), triangle.corners.end(),
+                      [&](int v) { return before[static_cast<std::size_t>(v)]; }))
         for (const int v : triangle.corners) near[static_cast<std::size_t>(v)] = true;
   }
   return near;
 }
 
 // The vertices marked `moves` solved for, all others held.
-Eigen::Matrix3Xd laid_anew(const std::vector<SourceTriangle>& triangles, const Eigen::Matrix3Xd& source, const Eigen::Matrix3Xd& x,
-                           const std::vector<bool>& moves) {
+Eigen::Matrix3Xd laid_anew(const std::vector<SourceTriangle>& triangles, const Eigen::Matrix3Xd& source,
+                           const Eigen::Matrix3Xd& x, const std::vector<bool>& moves) {
   std::vector<int> number(moves.size(), -1), vertex;
   std::vector<SourceTriangle> part;
   HardConstraints held;
   for (SourceTriangle triangle : triangles) {
-    if (std::none_of(triangle.corners.begin(), triangle.corners.end(), [&](int v) { return moves[static_cast<std::size_t>(v)]; }))
+    if (std::none_of(triangle.corners.begin(), triangle.corners.end(),
+                     [&](int v) { return moves[static_cast<std::size_t>(v)]; }))
       continue;
     for (int& v : triangle.corners) {
       int& own = number[static_cast<std::size_t>(v)];

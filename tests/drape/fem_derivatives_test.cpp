@@ -97,6 +97,9 @@ TEST(Contact, ComesCloserOnAReplicaButForTheClothsThickness) {
   Fabric thin, thick;
   thin.thickness = .15e-3;
   thick.thickness = .7e-3;
+  body.form.height = .32;
+  EXPECT_EQ(contact_law(thin, body).reach, ContactLaw{}.reach);  // a thing without bones
+  body.form.bones.emplace_back();
   body.form.height = 1.75;
   EXPECT_EQ(contact_law(thin, body).reach, ContactLaw{}.reach);
   EXPECT_EQ(contact_law(thin, body).slip, ContactLaw{}.slip);

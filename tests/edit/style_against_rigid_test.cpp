@@ -50,7 +50,8 @@ Compared compared(const std::string& operation, const EditArguments& arguments) 
   const Eigen::Matrix3Xd rigid = testing::as_rigid_as_possible(target.source, triangles, vertices, to);
   const auto sources = source_triangles(target.source, triangles);
   const Eigen::VectorXd before = angle_defects(target.source, triangles);
-  return {normal_deviation(sources, target.source, target.positions).mean, normal_deviation(sources, target.source, rigid).mean,
+  return {normal_deviation(sources, target.source, target.positions).mean,
+          normal_deviation(sources, target.source, rigid).mean,
           (angle_defects(target.positions, triangles) - before).cwiseAbs().sum(),
           (angle_defects(rigid, triangles) - before).cwiseAbs().sum(),
           (angle_defects(target.positions, triangles).cwiseAbs() - before.cwiseAbs()).cwiseMax(0).sum(),

@@ -24,6 +24,7 @@ Eigen::Vector3d slide(const FrictionState& state, const Eigen::Vector3d& x) {
 }  // namespace
 
 double replica_reach(double full, double least, const Body& body) {
+  if (body.form.bones.empty()) return full;  // a thing, not a small figure
   return std::min(full, std::max(full * body.form.height / 1.6, least));
 }
 

@@ -18,11 +18,11 @@ struct ContactLaw {
   double friction = 0.4;   // Coulomb coefficient
 };
 
-// The law between this cloth and this body. On a replica below 1.6 m the cloth comes proportionally closer, as the distance
-// field gets finer, but not closer than half its own thickness.
+// The law between this cloth and this body. On a figure (with bones) below 1.6 m the cloth comes proportionally closer, as the
+// distance field gets finer, but not closer than half its own thickness.
 ContactLaw contact_law(const Fabric& fabric, const Body& body);
 
-// `full` (m, on a body of 1.6 m or more) on this body, but no less than `least` unless it was.
+// `full` (m, on a figure of 1.6 m or more) on this one, but no less than `least` unless it was.
 double replica_reach(double full, double least, const Body& body);
 
 // Normal contact at distance d: energy area * p0 * reach / 3 * (u^3 + firmness * w^3 + hardness * v^3) with u = 1 - d / reach,

@@ -142,11 +142,13 @@ Target apply_grade(const EditInput& input, const EditArguments& arguments) {
   const Transferred start = transfer(input, places, *to, map);
   const std::vector<SourceTriangle> reference = posed(input, start.turn);
   const BodyTerms terms = body_terms(input, *to, map, start, places, contact, vertex_areas(reference, input.drape.cols()));
-  Styled styled_garment = with_weakest_pull([&](const StyleOptions& style) {
-    BodyTerms again = terms;
-    const StyleSolution solution = solve_style(start.positions, reference, {}, again.all(), style);
-    return styled(*to, again, reference, input.drape, contact.gap, solution.initial, solution);
-  }, even_pull);
+  Styled styled_garment = with_weakest_pull(
+      [&](const StyleOptions& style) {
+        BodyTerms again = terms;
+        const StyleSolution solution = solve_style(start.positions, reference, {}, again.all(), style);
+        return styled(*to, again, reference, input.drape, contact.gap, solution.initial, solution);
+      },
+      even_pull);
   mend(styled_garment, *to, reference, input.drape, contact.gap, {});
   if (!styled_garment.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,

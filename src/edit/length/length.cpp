@@ -20,7 +20,8 @@ const std::vector<Parameter>& length_parameters() {
   static const std::vector<Parameter> parameters{
       {"loop",
        "loop",
-       "the loop to move: \"hem\", \"waist\", edges such as \"gore.hem\", a level such as \"hip\" or \"thigh.L:0.5\"; several with commas",
+       "the loop to move: \"hem\", \"waist\", edges such as \"gore.hem\", a level such as \"hip\" or \"thigh.L:0.5\"; several "
+       "with commas",
        {},
        {},
        "hem"},

@@ -189,8 +189,8 @@ std::optional<VertexLoop> seam_beside(const EditInput& input, const std::vector<
   return std::nullopt;
 }
 
-// The seam that a line runs along and crosses, never further from it than `near` (m): a line there would leave slivers of pieces
-// on both sides.
+// The seam that a line runs along and crosses, never further from it than `near` (m): a line there would leave slivers of
+// pieces on both sides.
 std::optional<VertexLoop> seam_crossed(const EditInput& input, const CutLine& line, const std::vector<PanelChord>& chords,
                                        double near, const std::string& place) {
   std::vector<Eigen::Vector3d> points = points_of(line, input.drape);

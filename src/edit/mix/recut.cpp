@@ -50,7 +50,8 @@ RestShape laid_flat(const JoinedPattern& joined, const JoinedGarment& hung, cons
   return flat;
 }
 
-// How the boundary of one panel moved, in its order: places on the outline, in the frame of the shape that it shares with others.
+// How the boundary of one panel moved, in its order: places on the outline, in the frame of the shape that it shares with
+// others.
 struct Moved {
   int piece = 0;
   std::vector<int> edges;
