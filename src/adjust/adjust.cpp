@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -205,7 +204,7 @@ Adjustment adjust(const Target& target, const Simulate& simulate, const MakeCutt
     Guess from_source = next_guess(embedder, garment, source_rest, target.source, goal, 1);
     distortion = std::min(distortion, from_source.distortion);
     const std::vector<bool> eased = eased_panels(garment);
-    if (options.start_from_source && !getenv("NOSRC"))
+    if (options.start_from_source)
       first = std::move(from_source);
     else if (options.undo_compression && std::find(eased.begin(), eased.end(), true) != eased.end())
       first = uncompressed_guess(embedder, target, goal, eased);

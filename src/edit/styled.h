@@ -36,7 +36,7 @@ constexpr std::array<double, 4> pulls{0.02, 0.1, 0.3, 0.6};
 
 // No triangle turned over, and none more than twice as long or half as long as it was.
 bool is_even(const NormalDeviation& deviation);
-// Fewer triangles turned over, or none in either and stretched more evenly.
+// No triangle turned over where the other has some; else stretched more evenly.
 bool is_better(const NormalDeviation& one, const NormalDeviation& other);
 
 // What `solve` gives for the weakest pull towards the initial guess, not below `least`, with which the result is even and the

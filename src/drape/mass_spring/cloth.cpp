@@ -49,7 +49,7 @@ Cloth make_cloth(const GarmentMesh& garment, const Fabric& fabric, const Body& b
   cloth.law.limit = fabric.most_stretch;
   cloth.springs = edge_springs(garment, fabric);
   cloth.bending = bending_rows(fem::bending_hinges(garment, fabric), garment.vertex_count);
-  cloth.contact = fem::contact_law(fabric, body);
+  cloth.contact.friction = fabric.friction;
   cloth.body = &body;
   cloth.mass = Eigen::VectorXd::Zero(garment.vertex_count);
   const auto shapes = rest_triangles(garment);

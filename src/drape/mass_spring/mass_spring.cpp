@@ -11,6 +11,9 @@ namespace toile::mass_spring {
 
 fem::Model make_model(const GarmentMesh& garment, const Fabric& fabric, const Body& body) {
   fem::Model model = fem::make_model(garment, fabric, body);
+  model.contact = {};  // the full reach on replicas too: springs do not come to rest in a thinner one
+  model.contact.friction = fabric.friction;
+  model.self_contact = {};
   model.triangles.clear();
   model.spring_law.limit = fabric.most_stretch;
   model.springs = edge_springs(garment, fabric);
