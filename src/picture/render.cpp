@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "geometry/normals.h"
 #include "picture/camera.h"
 #include "picture/colour_space.h"
 
@@ -45,19 +46,6 @@ Eigen::Matrix3Xd everything(const Scene3D& scene) {
     count += mesh.positions.cols();
   }
   return all;
-}
-
-Eigen::Matrix3Xd vertex_normals(const ShownMesh& mesh) {
-  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.positions.cols());
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Vector3d a = mesh.positions.col(mesh.triangles(0, t));
-    const Vector3d b = mesh.positions.col(mesh.triangles(1, t));
-    const Vector3d c = mesh.positions.col(mesh.triangles(2, t));
-    const Vector3d normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k) normals.col(mesh.triangles(k, t)) += normal;
-  }
-  normals.colwise().normalize();
-  return normals;
 }
 
 // Linear light to a byte of sRGB.
@@ -164,7 +152,7 @@ class Shading {
  public:
   Shading(const Scene3D& scene, const Camera& camera) : scene_(scene), camera_(camera) {
     for (const ShownMesh& mesh : scene.meshes) {
-      normals_.push_back(vertex_normals(mesh));
+      normals_.push_back(vertex_normals(mesh.positions, mesh.triangles));
       colours_.emplace_back();
       for (const Colour& colour : mesh.colours) colours_.back().push_back(linear(colour));
     }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "edit/length/panel_slide.h"
+#include "geometry/normals.h"
 #include "parallel/threads.h"
 
 namespace toile {
@@ -15,14 +16,14 @@ constexpr double apart_limit = 2e-3;  // m, of the places that two panels give a
 // All panels of one handle.
 class GarmentSlide {
  public:
-  GarmentSlide(const EditInput& input, const Handle& handle) : input_(input), handle_(handle) {
+  GarmentSlide(const EditInput& input, const Handle& handle, const Eigen::Matrix3Xd& normals) : input_(input), handle_(handle) {
     std::vector<char> moves(static_cast<std::size_t>(input.garment.vertex_count), 0);
     std::vector<char> on_loop = moves;
     for (const int v : handle.moving) moves[static_cast<std::size_t>(v)] = 1;
     for (const int v : handle.loop) on_loop[static_cast<std::size_t>(v)] = 1;
     panels_.resize(input.garment.panels.size());
     for (std::size_t p = 0; p < panels_.size(); ++p) {
-      auto panel = std::make_unique<PanelSlide>(input, handle, moves, on_loop, p);
+      auto panel = std::make_unique<PanelSlide>(input, handle, normals, moves, on_loop, p);
       if (panel->on_its_edge()) panels_[p] = std::move(panel);
     }
   }
@@ -112,8 +113,9 @@ class GarmentSlide {
 std::optional<Eigen::Matrix3Xd> slid_on_cloth(const EditInput& input, const std::vector<Handle>& handles, double by) {
   if (by == 0) return std::nullopt;
   Eigen::Matrix3Xd positions = input.drape;
+  const Eigen::Matrix3Xd normals = vertex_normals(input.drape, input.garment.triangles);
   for (const Handle& handle : handles) {
-    GarmentSlide slide(input, handle);
+    GarmentSlide slide(input, handle, normals);
     double cloth = by;
     for (int round = 0;; ++round) {
       if (!slide.slide_boundaries(cloth)) return std::nullopt;

@@ -8,7 +8,14 @@
 
 namespace toile {
 
-PanelChart::PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped) : panel_(panel), draped_(draped) {
+namespace {
+
+constexpr double roundness = 0.5;  // share of the way to the tangent planes: exact on a circle
+
+}  // namespace
+
+PanelChart::PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped, const Eigen::Matrix3Xd& normals)
+    : panel_(panel), draped_(draped), normals_(normals) {
   if (panel.triangles.cols() == 0) return;
   const Eigen::Vector2d least = panel.rest.rowwise().minCoeff(), most = panel.rest.rowwise().maxCoeff();
   const Eigen::Vector2d size = most - least;
@@ -65,8 +72,13 @@ PanelChart::Found PanelChart::find(const Eigen::Vector2d& rest) const {
 
 Eigen::Vector3d PanelChart::at(const Eigen::Vector2d& rest) const {
   const Found found = find(rest);
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) place += found.weights(i) * draped_.col(panel_.triangles(i, found.triangle));
+  const Eigen::Vector3i corners = panel_.triangles.col(found.triangle);
+  const Eigen::Vector3d flat = draped_(Eigen::all, corners) * found.weights;
+  if (found.inside < 0) return flat;
+  Eigen::Vector3d place = flat;
+  for (int i = 0; i < 3; ++i)
+    place -=
+        roundness * found.weights(i) * normals_.col(corners(i)).dot(flat - draped_.col(corners(i))) * normals_.col(corners(i));
   return place;
 }
 

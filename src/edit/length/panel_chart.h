@@ -10,10 +10,11 @@ namespace toile {
 
 class PanelChart {
  public:
-  // `draped`: 3 x panel vertices. Both are kept by reference.
-  PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped);
+  // `draped`, `normals`: 3 x panel vertices. All are kept by reference.
+  PanelChart(const PanelMesh& panel, const Eigen::Matrix3Xd& draped, const Eigen::Matrix3Xd& normals);
 
-  // The draped place of a point of the rest shape (2, m); a little outside it, of the nearest triangle carried on.
+  // The draped place of a point of the rest shape (2, m), between vertices on the curved surface that their normals tell of
+  // (Boubekeur and Alexa 2008, "Phong tessellation"); a little outside it, of the nearest triangle carried on.
   Eigen::Vector3d at(const Eigen::Vector2d& rest) const;
   bool contains(const Eigen::Vector2d& rest) const;
 
@@ -31,6 +32,7 @@ class PanelChart {
 
   const PanelMesh& panel_;
   const Eigen::Matrix3Xd& draped_;
+  const Eigen::Matrix3Xd& normals_;
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();  // m, of the grid over the rest shape
   double width_ = 1;                                  // m, of its cells
   int columns_ = 0, rows_ = 0;

@@ -17,15 +17,20 @@ constexpr double behind_edge = 0.05;  // m of cloth or seam that say how it goes
 
 }  // namespace
 
-PanelSlide::PanelSlide(const EditInput& input, const Handle& handle, const std::vector<char>& moves,
-                       const std::vector<char>& on_loop, std::size_t p)
-    : panel_(input.garment.panels[p]), axis_(handle.axis), draped_(3, panel_.rest.cols()), chart_(panel_, draped_) {
+PanelSlide::PanelSlide(const EditInput& input, const Handle& handle, const Eigen::Matrix3Xd& normals,
+                       const std::vector<char>& moves, const std::vector<char>& on_loop, std::size_t p)
+    : panel_(input.garment.panels[p]),
+      axis_(handle.axis),
+      draped_(3, panel_.rest.cols()),
+      normals_(3, panel_.rest.cols()),
+      chart_(panel_, draped_, normals_) {
   const auto n = static_cast<std::size_t>(panel_.rest.cols());
   moves_.resize(n);
   on_loop_.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
     const int g = input.garment.welded[p](static_cast<Eigen::Index>(v));
     draped_.col(static_cast<Eigen::Index>(v)) = input.drape.col(g);
+    normals_.col(static_cast<Eigen::Index>(v)) = normals.col(g);
     moves_[v] = moves[static_cast<std::size_t>(g)];
     on_loop_[v] = on_loop[static_cast<std::size_t>(g)];
   }

@@ -13,8 +13,9 @@ namespace toile {
 // One panel seen from one handle.
 class PanelSlide {
  public:
-  PanelSlide(const EditInput& input, const Handle& handle, const std::vector<char>& moves, const std::vector<char>& on_loop,
-             std::size_t p);
+  // `normals`: 3 x garment vertices, of the drape.
+  PanelSlide(const EditInput& input, const Handle& handle, const Eigen::Matrix3Xd& normals, const std::vector<char>& moves,
+             const std::vector<char>& on_loop, std::size_t p);
   PanelSlide(const PanelSlide&) = delete;
   PanelSlide& operator=(const PanelSlide&) = delete;
 
@@ -55,7 +56,7 @@ class PanelSlide {
 
   const PanelMesh& panel_;
   Eigen::Vector3d axis_;
-  Eigen::Matrix3Xd draped_;
+  Eigen::Matrix3Xd draped_, normals_;
   PanelChart chart_;
   std::vector<char> moves_, on_loop_, known_;
   Eigen::Matrix2Xd slide_;  // in the rest shape, m

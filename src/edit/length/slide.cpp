@@ -85,6 +85,30 @@ Eigen::Vector3d outside(const Body& body, Eigen::Vector3d at) {
   return at;
 }
 
+// Takes a loop that came to lie in the body out of it, and what is near it along the loop with it, less and less: where one
+// place gives way the cloth beside it does.
+void take_out(const Body& body, const VertexLoop& loop, Eigen::Matrix3Xd& positions) {
+  constexpr double beside = 0.06;  // m along the loop
+  const std::size_t n = loop.size();
+  std::vector<double> along(n + 1, 0);
+  std::vector<Eigen::Vector3d> push(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d at = positions.col(loop[i]);
+    push[i] = outside(body, at) - at;
+    along[i + 1] = along[i] + (positions.col(loop[(i + 1) % n]) - at).norm();
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    Eigen::Vector3d most = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < n; ++k) {
+      const double way = std::abs(along[i] - along[k]);
+      const Eigen::Vector3d share = (1 - smoothstep(std::min(way, along[n] - way), 0, beside)) * push[k];
+      if (share.squaredNorm() > most.squaredNorm()) most = share;
+    }
+    const Eigen::Vector3d at = positions.col(loop[i]);
+    positions.col(loop[i]) = outside(body, at + most);
+  }
+}
+
 // `on_cloth`: where the garment has slid to on its own cloth, if it shall.
 Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, const SlideOptions& options, double in_plane_pull,
                  const std::optional<Eigen::Matrix3Xd>& on_cloth, EditMemory& memory) {
@@ -102,8 +126,7 @@ Slide slide_once(const EditInput& input, const std::vector<Handle>& handles, con
   if (on_cloth) {
     slid.positions = slid.initial = shape = *on_cloth;
     reference = source_triangles(shape, input.garment.triangles);
-    for (const Handle& handle : handles)  // cloth that was added may lie in the body
-      for (const int v : handle.loop) slid.positions.col(v) = outside(input.body, slid.positions.col(v));
+    for (const Handle& handle : handles) take_out(input.body, handle.loop, slid.positions);
   } else {
     for (const Handle& handle : handles)
       for (const int v : handle.loop) hard.hold_along(v, handle.axis, handle.axis.dot(input.drape.col(v)) + options.by);

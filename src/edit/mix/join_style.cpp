@@ -15,35 +15,6 @@ namespace {
 constexpr double released =
     0.06;  // of the body's height: how near the joint the garment need not keep its distance to the body
 
-// The two parts not yet joined: vertices of the joint twice, the second side's after all others.
-struct SideBySide {
-  Eigen::Matrix3Xd positions;
-  Eigen::Matrix3Xi triangles;
-  std::vector<int> welded;  // [vertex] -> garment vertex
-};
-
-SideBySide side_by_side(const JoinedGarment& joined) {
-  const GarmentMesh& garment = joined.garment;
-  SideBySide both;
-  std::map<int, int> twin;
-  for (int v = 0; v < garment.vertex_count; ++v) both.welded.push_back(v);
-  for (const int v : joined.joint) {
-    twin[v] = static_cast<int>(both.welded.size());
-    both.welded.push_back(v);
-  }
-  both.positions.resize(3, static_cast<Eigen::Index>(both.welded.size()));
-  for (int v = 0; v < garment.vertex_count; ++v)
-    both.positions.col(v) = joined.hanging[0].col(v).allFinite() ? joined.hanging[0].col(v) : joined.hanging[1].col(v);
-  for (const auto& [v, second] : twin) both.positions.col(second) = joined.hanging[1].col(v);
-  both.triangles = garment.triangles;
-  const std::vector<int> offsets = triangle_offsets(garment);
-  for (std::size_t p = 0; p < garment.panels.size(); ++p)
-    for (int t = offsets[p]; joined.side[p] == 1 && t < offsets[p + 1]; ++t)
-      for (int k = 0; k < 3; ++k)
-        if (const auto found = twin.find(both.triangles(k, t)); found != twin.end()) both.triangles(k, t) = found->second;
-  return both;
-}
-
 BodyTerms body_terms(const Body& body, const SideBySide& both, const JoinedGarment& joined, const HardConstraints& held,
                      const ContactRegion& contact, const Eigen::VectorXd& areas, const std::vector<SoftTerm>& aligned) {
   constexpr double loose_fit = 0.01, loose_proportion = 0.02, staying = 5e-3;  // as in grading: so that nothing creeps
@@ -84,6 +55,28 @@ BodyTerms body_terms(const Body& body, const SideBySide& both, const JoinedGarme
 }
 
 }  // namespace
+
+SideBySide side_by_side(const JoinedGarment& joined) {
+  const GarmentMesh& garment = joined.garment;
+  SideBySide both;
+  std::map<int, int> twin;
+  for (int v = 0; v < garment.vertex_count; ++v) both.welded.push_back(v);
+  for (const int v : joined.joint) {
+    twin[v] = static_cast<int>(both.welded.size());
+    both.welded.push_back(v);
+  }
+  both.positions.resize(3, static_cast<Eigen::Index>(both.welded.size()));
+  for (int v = 0; v < garment.vertex_count; ++v)
+    both.positions.col(v) = joined.hanging[0].col(v).allFinite() ? joined.hanging[0].col(v) : joined.hanging[1].col(v);
+  for (const auto& [v, second] : twin) both.positions.col(second) = joined.hanging[1].col(v);
+  both.triangles = garment.triangles;
+  const std::vector<int> offsets = triangle_offsets(garment);
+  for (std::size_t p = 0; p < garment.panels.size(); ++p)
+    for (int t = offsets[p]; joined.side[p] == 1 && t < offsets[p + 1]; ++t)
+      for (int k = 0; k < 3; ++k)
+        if (const auto found = twin.find(both.triangles(k, t)); found != twin.end()) both.triangles(k, t) = found->second;
+  return both;
+}
 
 MixedShape join_style(const Body& body, const JoinedGarment& joined, const EditInput& first, const EditInput& second) {
   const SideBySide both = side_by_side(joined);

@@ -6,6 +6,15 @@
 
 namespace toile {
 
+// The two parts not yet joined: vertices of the joint twice, the second side's after all others.
+struct SideBySide {
+  Eigen::Matrix3Xd positions;  // 3 x vertices, as they hang
+  Eigen::Matrix3Xi triangles;  // in the order of the joined garment
+  std::vector<int> welded;     // [vertex] -> garment vertex
+};
+
+SideBySide side_by_side(const JoinedGarment& joined);
+
 struct MixedShape {
   Eigen::Matrix3Xd source;  // one column per garment vertex; at the joint the middle of both
   Eigen::Matrix3Xd positions;

@@ -113,23 +113,9 @@ void describe(Report& report, const EditInput& input, const WornGarment& other, 
 
 Target apply_mix(const EditInput& input, const EditArguments& arguments) {
   constexpr double alike = 2e-3;  // share: edges of a joint that differ by less are sewn as they are
-  check_source(input, "mix");
-  const ReadArguments read = read_arguments("mix", mix_parameters(), arguments);
-  const bool keep_beyond = keeps_beyond(read.names.at("keep"));
-  const bool never_unite = never_unites(read.names.at("unite"));
-  const std::shared_ptr<const WornGarment> other = other_garment(input, read.names.at("with"));
-  const EditInput second{other->pattern, other->garment, other->drape, input.body};
-  check_source(second, "mix");
-  const MixLoops loops = loops_named(input, second, read);
-  refuse_slivers(input, input.pattern.name, loops.first);
-  refuse_slivers(second, other->pattern.name, loops.second);
-  const MixSide a{input,
-                  take_part(input, part_garment(input, loops.first, "edit 'mix', loop"), keep_beyond, "edit 'mix', keep")};
-  const MixSide b{second, take_part(second, part_garment(second, loops.second, "edit 'mix', other_loop"), !keep_beyond,
-                                    "edit 'mix', other_loop")};
-  const JoinedPattern joined = join(a, b, "edit 'mix', loop");
-  const JoinedGarment hung = hang(joined, a, b, other->edge_length);
-  MixedShape shape = join_style(input.body, hung, input, second);
+  const bool never_unite = never_unites(read_arguments("mix", mix_parameters(), arguments).names.at("unite"));
+  Meeting meeting = meet(input, arguments);
+  auto& [other, joined, hung, shape, found] = meeting;
   if (!shape.styled.deviation.flipped.empty())
     throw BadInput({"edit.flipped", Severity::error, place_of_edit,
                     "the garments would have to turn over on themselves in " +
@@ -162,7 +148,7 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
   target.normal_deviation_mean = shape.styled.deviation.mean;
   target.normal_deviation_max = shape.styled.deviation.most;
   target.report.append(other->report);
-  target.report.append(loops.report);
+  target.report.append(found);
   describe(target.report, input, *other, united.pattern, shape, mismatch);
   target.report.append(united.report);
   target.pattern = std::make_shared<const Pattern>(std::move(united.pattern));
@@ -170,6 +156,28 @@ Target apply_mix(const EditInput& input, const EditArguments& arguments) {
 }
 
 }  // namespace
+
+Meeting meet(const EditInput& input, const EditArguments& arguments) {
+  check_source(input, "mix");
+  const ReadArguments read = read_arguments("mix", mix_parameters(), arguments);
+  const bool keep_beyond = keeps_beyond(read.names.at("keep"));
+  Meeting meeting;
+  meeting.other = other_garment(input, read.names.at("with"));
+  const EditInput second{meeting.other->pattern, meeting.other->garment, meeting.other->drape, input.body};
+  check_source(second, "mix");
+  MixLoops loops = loops_named(input, second, read);
+  refuse_slivers(input, input.pattern.name, loops.first);
+  refuse_slivers(second, second.pattern.name, loops.second);
+  meeting.report = std::move(loops.report);
+  const MixSide a{input,
+                  take_part(input, part_garment(input, loops.first, "edit 'mix', loop"), keep_beyond, "edit 'mix', keep")};
+  const MixSide b{second, take_part(second, part_garment(second, loops.second, "edit 'mix', other_loop"), !keep_beyond,
+                                    "edit 'mix', other_loop")};
+  meeting.joined = join(a, b, "edit 'mix', loop");
+  meeting.hung = hang(meeting.joined, a, b, meeting.other->edge_length);
+  meeting.shape = join_style(input.body, meeting.hung, input, second);
+  return meeting;
+}
 
 EditOperation mix_operation() { return {"mix", "part of this garment joined to part of another", mix_parameters(), apply_mix}; }
 
