@@ -11,6 +11,7 @@ namespace toile {
 namespace {
 
 constexpr double roundness = 0.5;  // share of the way to the tangent planes: exact on a circle
+constexpr int evened_out = 8;      // rounds: what single triangles behind the edge say is no fold
 
 }  // namespace
 
@@ -93,7 +94,17 @@ bool PanelChart::contains(const Eigen::Vector2d& rest) const {
 
 CarriedOn::CarriedOn(const PanelMesh& panel, const PanelChart& chart, std::vector<int> edge, Eigen::Matrix2Xd direction,
                      double behind)
-    : panel_(panel), chart_(chart), edge_(std::move(edge)), direction_(std::move(direction)), behind_(behind) {}
+    : panel_(panel), chart_(chart), edge_(std::move(edge)), direction_(std::move(direction)), goes_on_(3, direction_.cols()) {
+  for (Eigen::Index i = 0; i < direction_.cols(); ++i) {
+    const Eigen::Vector2d at = panel_.rest.col(edge_[static_cast<std::size_t>(i)]);
+    goes_on_.col(i) = (chart_.at(at) - chart_.at(at - behind * direction_.col(i).normalized())).normalized();
+  }
+  for (int round = 0; round < evened_out; ++round) {
+    const Eigen::Matrix3Xd before = goes_on_;
+    for (Eigen::Index i = 1; i + 1 < goes_on_.cols(); ++i)
+      goes_on_.col(i) = (before.col(i - 1) + 2 * before.col(i) + before.col(i + 1)).normalized();
+  }
+}
 
 Eigen::Vector2d CarriedOn::point(const Place& place) const {
   return (1 - place.share) * panel_.rest.col(edge_[place.first]) + place.share * panel_.rest.col(edge_[place.first + 1]);
@@ -128,9 +139,9 @@ Eigen::Vector3d CarriedOn::at(const Eigen::Vector2d& rest) const {
     from = nearest(rest - beyond * direction(from));
     beyond = (rest - point(from)).dot(direction(from));
   }
-  const Eigen::Vector3d edge = chart_.at(point(from));
-  const Eigen::Vector3d on = edge - chart_.at(point(from) - behind_ * direction(from));
-  return edge + beyond * on.normalized();
+  const auto i = static_cast<Eigen::Index>(from.first);
+  const Eigen::Vector3d on = (1 - from.share) * goes_on_.col(i) + from.share * goes_on_.col(i + 1);
+  return chart_.at(point(from)) + beyond * on.normalized();
 }
 
 }  // namespace toile

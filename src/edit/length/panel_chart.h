@@ -40,7 +40,7 @@ class PanelChart {
 };
 
 // An edge of a panel beyond which its cloth is carried on: straight, as the cloth behind the edge hangs in the mean over
-// `behind` metres, and neither stretched nor compressed.
+// `behind` metres, evened out along the edge, and neither stretched nor compressed.
 class CarriedOn {
  public:
   // `edge`: vertices in order; `direction`: a column for each, the way the cloth goes on in the rest shape, of any length.
@@ -63,7 +63,7 @@ class CarriedOn {
   const PanelChart& chart_;
   std::vector<int> edge_;
   Eigen::Matrix2Xd direction_;
-  double behind_;
+  Eigen::Matrix3Xd goes_on_;  // by vertex of the edge, where the cloth goes on as it hangs; unit
 };
 
 }  // namespace toile
