@@ -18,6 +18,8 @@ constexpr double first_stiffening = 0.1;   // of the bending part of the Hessian
 constexpr double more_stiffening = 4;      // times as much when it is not enough
 constexpr double less_stiffening = 0.5;    // after a step in full
 constexpr int most_stiffenings = 3;        // in one step
+constexpr double slow_progress = 0.9;      // of the residual left after a step
+constexpr int patience = 3;                // slow steps
 constexpr double longest_way_out = 10e-3;  // m
 constexpr double rounding_errors = 32;     // of the energy: near rest a step gains less than it can be told by
 constexpr double near_margin = 3e-3;       // m, of movement before the list of near pairs is made anew
@@ -163,6 +165,7 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
   bool factor_serves = false;  // the last step with it was small and did well: another one costs a solution only
   double share = options.least_force_share;
   double stiffening = 0;
+  int slow_steps = 0;  // in a row; patience: clamped steps have come to a plateau, on which cloth that buckles creeps
   for (int step = 1; step <= options.most_steps && best.residual > options.tolerance && !out_of_time(); ++step) {
     HessianAssembly& assembly = pattern.fit(frozen.self);
     const auto factorised = [&](Curvature curvature) {
@@ -180,8 +183,15 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
       return false;
     };
     const auto factorised_well = [&] {
-      if (!options.springs) return factorised(options.curvature) || factorised(Curvature::clamped);
-      return (forces.residual <= options.springs->clamped_above && full_or_stiffened()) || factorised(Curvature::clamped);
+      if (options.springs)
+        return (forces.residual <= options.springs->clamped_above && full_or_stiffened()) || factorised(Curvature::clamped);
+      assembly.bending_share = 1;
+      if (factorised(options.curvature)) {
+        slow_steps = 0;
+        return true;
+      }
+      return (slow_steps >= patience && options.curvature == Curvature::full && full_or_stiffened()) ||
+             factorised(Curvature::clamped);
     };
     const bool as_before = factor_serves && factorised_last == &assembly;
     if (!as_before && !factorised_well()) {
@@ -208,6 +218,7 @@ Equilibrium find_equilibrium(const Model& model, const Eigen::Matrix3Xd& start, 
     frozen.self = self_contact_at(model, near, state.x);
     const double before = forces.residual;
     forces = forces_at(model, frozen, state, normal, options.holding);
+    if (slow_steps < patience) slow_steps = forces.residual > slow_progress * before ? slow_steps + 1 : 0;
     factor_serves = fraction == 1 && longest < steady_move && forces.residual < before / 2;
     share = forces.residual < before ? std::min(share * 1.25, options.most_force_share)
                                      : std::max(share / 2, options.least_force_share);

@@ -28,7 +28,9 @@ struct NewtonOptions {
   int most_steps = 300;
   Holding holding = Holding::anchored;
   std::optional<SpringSteps> springs = {};
-  Curvature curvature = Curvature::full;  // clamped: projected Newton, the reference
+  // full: where the Hessian is not positive definite it is clamped; where that gets on slowly, its bending part counts several
+  // times instead. clamped: projected Newton, the reference.
+  Curvature curvature = Curvature::full;
   double first_dt = 0.05;                 // s
   double growth = 1.6;                    // of dt, per step
   double most_dt = 5;                     // s
