@@ -47,12 +47,16 @@ TurnPoints turn_points(const Points<2>& ring, const DrawnPiece& piece, const std
   TurnPoints found;
   found.turn.assign(ring.size(), false);
   std::vector<bool> marked(ring.size(), false);
-  for (const MarkedPoint& point : piece.points)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (!marked[i] && (ring[i] - point.at).norm() <= piece.tolerance) {
-        marked[i] = true;
-        found.turn[i] = point.turn;
-      }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    double nearest = std::nextafter(piece.tolerance, 1.0);
+    for (const MarkedPoint& point : piece.points) {
+      const double off = (ring[i] - point.at).norm();
+      if (off >= nearest) continue;
+      nearest = off;
+      marked[i] = true;
+      found.turn[i] = point.turn;
+    }
+  }
   const auto marks = std::count(marked.begin(), marked.end(), true);
   const auto turns = std::count(found.turn.begin(), found.turn.end(), true);
   const std::vector<bool> corners = corners_by_angle(ring, corner_angle);

@@ -39,5 +39,16 @@ TEST(CornersByAngle, CountACornerDrawnWithTwoNearVerticesOnce) {
   EXPECT_EQ(corners({{0, 0}, {1, 0}, {1, 1}, {.0001, 1}, {0, .9999}}).size(), 4u);
 }
 
+// A replica's outline may have a curve point a few micrometres beside a corner.
+TEST(TurnPoints, StayWhereACurvePointLiesBesideThem) {
+  const Xy ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 4e-6}};
+  aama::DrawnPiece piece;
+  piece.points.push_back({ring[4], false});
+  for (std::size_t i = 0; i < 4; ++i) piece.points.push_back({ring[i], true});
+  const aama::TurnPoints found = aama::turn_points(ring, piece, {});
+  EXPECT_EQ(found.turn, (std::vector<bool>{true, true, true, true, false}));
+  EXPECT_FALSE(found.by_angle);
+}
+
 }  // namespace
 }  // namespace toile

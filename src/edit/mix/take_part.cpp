@@ -15,7 +15,8 @@
 namespace toile {
 namespace {
 
-constexpr double least_edge = 1e-6;  // m
+constexpr double least_edge = 1e-6;    // m
+constexpr double least_bend = 0.3e-3;  // m, of a curve point from the end of a cut edge
 
 // What became of part of an edge.
 struct KeptEdge {
@@ -51,7 +52,11 @@ void draw_edge(Drawing& drawing, const Piece& whole, int index, double begin, do
   if (begin > 0 || end < 1) {
     part.points.clear();
     const auto points = part_of<2>(positions(edge), begin, end);
-    for (std::size_t i = 0; i < points.size(); ++i) part.points.push_back({points[i], i == 0 || i + 1 == points.size(), {}});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool end_point = i == 0 || i + 1 == points.size();
+      const double off = std::min((points[i] - points.front()).norm(), (points[i] - points.back()).norm());
+      if (end_point || off > least_bend) part.points.push_back({points[i], end_point, {}});
+    }
   }
   drawing.kept.emplace_back(index, KeptEdge{0, part.id, begin, end});
   drawing.piece.outline.push_back(std::move(part));
