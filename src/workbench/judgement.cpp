@@ -20,6 +20,9 @@ constexpr double noticeable = 0.01;       // distortion of a triangle laid flat
 // .010 and more.
 constexpr double doubtful_distortion = 0.0085;
 
+// Of the distance that is left: where plain flattening comes nearer than this, it is the rules of cutting that cost.
+constexpr double rules_cost = 0.6;
+
 std::string percent(double share, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f %%", digits, 100 * share);
@@ -116,6 +119,13 @@ Report judge(const Judged& judged) {
     report.warn("adjust.other-folds", furthest_place(judged),
                 how_far + ", but only the folds fall otherwise: girths, seams and openings measure the same",
                 "Look at the pictures; a stiffer fabric or a finer mesh holds its folds better");
+  else if (far && judged.adjustment.steps.front().hausdorff < rules_cost * step.hausdorff)
+    report.error("adjust.cutting-rules", furthest_place(judged),
+                 how_far + "; laid flat without the rules of cutting it comes within " +
+                     in_mm(judged.adjustment.steps.front().hausdorff) +
+                     ": pieces that are cut alike, straight edges or seams of a given ratio keep it away",
+                 "Ask for less, or for the same change all round; or read in as pieces of their own those that have to differ",
+                 Fault::checks_failed);
   else if (far)
     report.error("adjust.far-from-target", furthest_place(judged),
                  how_far + ": cloth does not hang in that shape; this is the nearest found",

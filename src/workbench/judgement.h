@@ -24,8 +24,9 @@ struct Judged {
   const Mannequin& form;
 };
 
-// Errors "adjust.not-developable", "adjust.slips", "adjust.far-from-target" (above 1 % of the height), "adjust.seam-mismatch"
-// (above 3 mm), each with its place on the garment; the warning "adjust.other-folds" where only folds fall otherwise.
+// Errors "adjust.not-developable", "adjust.slips", "adjust.far-from-target" (above 1 % of the height; "adjust.cutting-rules"
+// where plain flattening comes much nearer), "adjust.seam-mismatch" (above 3 mm), each with its place on the garment; the
+// warning "adjust.other-folds" where only folds fall otherwise.
 Report judge(const Judged& judged);
 
 }  // namespace toile

@@ -110,6 +110,28 @@ TEST(Judgement, AWaistTooLooseSlips) {
   ASSERT_NE(finding, nullptr) << all(outcome.report);
 }
 
+// What flattening without the rules of cutting reaches, and the cut pattern does not, is no matter of how cloth hangs.
+TEST(Judgement, TheRulesOfCuttingAreNamedWhereTheyCost) {
+  const Skirt& s = skirt();
+  Target target = widened([](double) { return 1; });
+  Adjustment adjustment;
+  adjustment.steps.resize(2);
+  adjustment.flattened = rest_shape(target.garment);
+  Verified verified;
+  verified.rest = adjustment.flattened;
+  verified.drape = s.worn.drape;
+  verified.step.hausdorff = 0.04;
+  TailoringDifference tailoring;
+  tailoring.girth = 0.05;
+  const auto code = [&](double flattened) {
+    adjustment.steps.front().hausdorff = flattened;
+    const Report report = judge({target, adjustment, verified, 0, tailoring, s.scene.body.form});
+    return report.findings.empty() ? "" : report.findings.front().code;
+  };
+  EXPECT_EQ(code(0.015), "adjust.cutting-rules");
+  EXPECT_EQ(code(0.035), "adjust.far-from-target");
+}
+
 TEST(Judgement, AShorterSkirtIsNotSuspected) {
   const Target target = edit(skirt().worn, skirt().scene, {{"length", {{"loop", "hem"}, {"by", "-6 cm"}}, "here"}});
   const Outcome outcome = tried(target);
