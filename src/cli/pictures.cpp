@@ -44,7 +44,24 @@ std::vector<Picture> write_maps(const Job& job, const Showing& showing, const Ei
   return pictures;
 }
 
+// Whether source and target are the same garment on the same body.
+bool as_it_was(const Job& job) { return !job.source_body && !job.target.pattern; }
+
+// One frame for all, so that they can be laid over each other: what is longer afterwards is seen whole.
+Eigen::Matrix3Xd frame_of(const Job& job) {
+  if (!as_it_was(job)) return job.target.positions;
+  const Eigen::Matrix3Xd &source = job.worn.drape.positions, &target = job.target.positions;
+  Eigen::Matrix3Xd both(3, source.cols() + target.cols());
+  both << source, target;
+  return both;
+}
+
 const Mannequin& source_form(const Job& job) { return job.source_body ? job.source_body->form : job.scene.body.form; }
+
+Image source_picture(const Job& job) {
+  const Eigen::Matrix3Xd& source = job.worn.drape.positions;
+  return drape_picture({source_form(job), job.worn.garment, as_it_was(job) ? frame_of(job) : source}, source, "source");
+}
 
 }  // namespace
 
@@ -56,16 +73,13 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
   };
   const Eigen::VectorXd adjusted = to_target(job.verified.drape.positions);
   const Eigen::VectorXd flattened = to_target(job.adjustment.flattened_drape.positions);
-  // One frame for all, so that they can be laid over each other.
-  const Showing showing{job.scene.body.form, garment,
-                        job.source_body || job.target.pattern ? target : job.worn.drape.positions};
+  const Showing showing{job.scene.body.form, garment, frame_of(job)};
 
   ShownPictures pictures;
   const auto write = [&](const std::string& file, const std::string& caption, const Image& image) {
     pictures.views.push_back(written(out, file, caption, image));
   };
-  write("source.png", "The pattern as it was read, draped.",
-        drape_picture({source_form(job), job.worn.garment, job.worn.drape.positions}, job.worn.drape.positions, "source"));
+  write("source.png", "The pattern as it was read, draped.", source_picture(job));
   write("target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target"));
   write("redrape.png", "The adjusted pattern draped anew, coloured by its distance to the target.",
         distance_picture(showing, {job.verified.drape.positions, adjusted, "re-drape of the adjusted pattern"},
@@ -84,11 +98,9 @@ ShownPictures write_run_pictures(const Job& job, const OutputFolder& out) {
 ShownPictures write_edit_pictures(const Job& job, const OutputFolder& out) {
   const GarmentMesh& garment = job.target.garment;
   const Eigen::Matrix3Xd& target = job.target.positions;
-  const Showing showing{job.scene.body.form, garment, target};
+  const Showing showing{job.scene.body.form, garment, frame_of(job)};
   ShownPictures pictures;
-  pictures.views.push_back(written(
-      out, "source.png", "The pattern as it was read, draped.",
-      drape_picture({source_form(job), job.worn.garment, job.worn.drape.positions}, job.worn.drape.positions, "source")));
+  pictures.views.push_back(written(out, "source.png", "The pattern as it was read, draped.", source_picture(job)));
   pictures.views.push_back(
       written(out, "target.png", "The target: what the edit asks for.", drape_picture(showing, target, "target")));
   return pictures;
